@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "analysis/algebra/polynomial.hpp"
+
+namespace shortfall {
+
+/// A rational function: a quotient of two polynomials over the rationals.
+///
+/// Invariant: in lowest terms, denominator monic (leading coefficient 1); so equality is structural. While the denominator is 1
+/// no gcd is computed.
+class Fraction {
+ public:
+  Fraction() : denominator_(1) {}
+  Fraction(Polynomial numerator) : numerator_(std::move(numerator)), denominator_(1) {}
+  Fraction(Rational constant) : Fraction(Polynomial(std::move(constant))) {}
+  template <std::integral I>
+  Fraction(I constant) : Fraction(Rational(constant)) {}
+  /// throws  Undefined  when the denominator is zero
+  Fraction(Polynomial numerator, Polynomial denominator);
+  static Fraction letter(Letter letter, int exponent = 1);  ///< a negative exponent is allowed
+
+  const Polynomial& numerator() const { return numerator_; }
+  const Polynomial& denominator() const { return denominator_; }
+  bool is_zero() const { return numerator_.is_zero(); }
+  bool is_polynomial() const { return denominator_.is_constant(); }
+  bool is_constant() const { return is_polynomial() && numerator_.is_constant(); }
+  bool contains(Letter letter) const { return numerator_.contains(letter) || denominator_.contains(letter); }
+  Rational constant() const { return numerator_.constant(); }  ///< meaningful when is_constant()
+
+  Fraction operator-() const;
+  Fraction& operator+=(const Fraction&);
+  Fraction& operator-=(const Fraction&);
+  Fraction& operator*=(const Fraction&);
+  Fraction& operator/=(const Fraction&);  ///< throws Undefined on division by zero
+  friend Fraction operator+(Fraction a, const Fraction& b) { return a += b; }
+  friend Fraction operator-(Fraction a, const Fraction& b) { return a -= b; }
+  friend Fraction operator*(Fraction a, const Fraction& b) { return a *= b; }
+  friend Fraction operator/(Fraction a, const Fraction& b) { return a /= b; }
+  bool operator==(const Fraction&) const = default;
+  Fraction pow(int exponent) const;
+
+  /// throws  Undefined  when the denominator vanishes there
+  Fraction substitute(Letter letter, const Fraction& value) const;
+  /// throws  Undefined  when the denominator vanishes there; Error when a letter has no value
+  Rational evaluate(const std::map<Letter, Rational>& values) const;
+
+  /// "(h + 1)/(h - 1)", letters named by the caller.
+  std::string str(std::span<const std::string> names) const;
+
+ private:
+  void reduce();
+  Polynomial numerator_;
+  Polynomial denominator_;
+};
+
+}  // namespace shortfall
