@@ -9,13 +9,15 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 
 namespace shortfall {
 
 /// An exact rational number of any size.
 ///
 /// Invariant: in lowest terms, denominator positive; held in two 64-bit words while it fits (the common case,
-/// about twenty times faster than an allocated pair), in GMP integers otherwise. Equal numbers are represented equally.
+/// about twenty times faster than an allocated pair), in GMP integers otherwise. Equal numbers are
+/// represented equally.
 class Rational {
  public:
   Rational() = default;
@@ -23,11 +25,12 @@ class Rational {
   Rational(I value) : Rational(from_integer(value)) {}
   /// throws  Undefined  when the denominator is zero
   Rational(std::int64_t numerator, std::int64_t denominator);
-  Rational(const Rational&);
-  Rational(Rational&&) noexcept;
-  Rational& operator=(const Rational&);
-  Rational& operator=(Rational&&) noexcept;
-  ~Rational();
+  Rational(const Rational& other)
+      : numerator_(other.numerator_), denominator_(other.denominator_), big_(duplicate(other.big_.get())) {}
+  Rational(Rational&& other) noexcept = default;
+  Rational& operator=(const Rational& other);
+  Rational& operator=(Rational&& other) noexcept = default;
+  ~Rational() = default;
 
   /// The number a text stands for, exactly: "3", "-1/50", "0.02", "1.5e-3".
   ///
@@ -41,9 +44,11 @@ class Rational {
 
   Rational numerator() const;
   Rational denominator() const;
-  int sign() const;  ///< -1, 0 or 1
-  bool is_zero() const { return sign() == 0; }
-  bool is_one() const;
+  int sign() const {  ///< -1, 0 or 1
+    return big_ ? big_sign() : (numerator_ > 0) - (numerator_ < 0);
+  }
+  bool is_zero() const { return numerator_ == 0 && !big_; }
+  bool is_one() const { return numerator_ == 1 && denominator_ == 1 && !big_; }
   bool is_integer() const;
   /// The value when it is an integer that fits.
   bool fits_int64(std::int64_t& value) const;
@@ -53,11 +58,26 @@ class Rational {
   Rational& operator-=(const Rational&);
   Rational& operator*=(const Rational&);
   Rational& operator/=(const Rational&);  ///< throws Undefined on division by zero
-  friend Rational operator+(Rational a, const Rational& b) { return a += b; }
-  friend Rational operator-(Rational a, const Rational& b) { return a -= b; }
-  friend Rational operator*(Rational a, const Rational& b) { return a *= b; }
-  friend Rational operator/(Rational a, const Rational& b) { return a /= b; }
-  bool operator==(const Rational&) const;
+  friend Rational operator+(Rational a, const Rational& b) {
+    a += b;
+    return a;
+  }
+  friend Rational operator-(Rational a, const Rational& b) {
+    a -= b;
+    return a;
+  }
+  friend Rational operator*(Rational a, const Rational& b) {
+    a *= b;
+    return a;
+  }
+  friend Rational operator/(Rational a, const Rational& b) {
+    a /= b;
+    return a;
+  }
+  bool operator==(const Rational& other) const {
+    return numerator_ == other.numerator_ && denominator_ == other.denominator_ &&
+           (!big_ && !other.big_ ? true : big_equal(other));
+  }
   std::strong_ordering operator<=>(const Rational&) const;
 
   Rational abs() const { return sign() < 0 ? -*this : *this; }
@@ -65,7 +85,8 @@ class Rational {
   /// throws  Undefined  for a negative power of zero
   Rational pow(int exponent) const;
 
-  /// The nearest binary64 / binary32, ties to even; overflow gives infinity (one correct rounding, subnormals included).
+  /// The nearest binary64 / binary32, ties to even; overflow gives infinity (one correct rounding, subnormals
+  /// included).
   double to_double() const;
   float to_float() const;
 
@@ -80,7 +101,16 @@ class Rational {
   std::size_t hash() const;
 
  private:
-  struct Big;  // a GMP rational, outside the 64-bit range
+  friend struct RationalAccess;
+  struct Big;  // a GMP rational, outside the 64-bit range; the two words then hold 0/1
+  struct Discard {
+    void operator()(Big*) const noexcept;
+  };
+  using BigPointer = std::unique_ptr<Big, Discard>;
+  static BigPointer duplicate(const Big* big) { return big ? clone(*big) : BigPointer(); }
+  static BigPointer clone(const Big&);
+  int big_sign() const;
+  bool big_equal(const Rational&) const;
   static Rational from_integer(std::int64_t value);
   static Rational from_integer(std::uint64_t value);
   template <std::integral I>
@@ -93,7 +123,7 @@ class Rational {
 
   std::int64_t numerator_ = 0;
   std::int64_t denominator_ = 1;
-  std::unique_ptr<Big> big_;
+  BigPointer big_;
 };
 
 std::ostream& operator<<(std::ostream&, const Rational&);
