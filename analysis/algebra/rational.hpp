@@ -52,6 +52,12 @@ class Rational {
   bool is_integer() const;
   /// The value when it is an integer that fits.
   bool fits_int64(std::int64_t& value) const;
+  /// Numerator and denominator when both fit.
+  bool fits_int64(std::int64_t& numerator, std::int64_t& denominator) const {
+    numerator = numerator_;
+    denominator = denominator_;
+    return !big_;
+  }
 
   Rational operator-() const;
   Rational& operator+=(const Rational&);
