@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/program/lexer.hpp"
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+namespace shortfall {
+
+namespace {
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+
+/// Characters that people paste from books, and what the language writes instead.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kFancy{{{"×", "*"},
+                                                                               {"·", "*"},
+                                                                               {"⋅", "*"},
+                                                                               {"÷", "/"},
+                                                                               {"−", "-"},
+                                                                               {"–", "-"},
+                                                                               {"½", "1/2"},
+                                                                               {"¼", "1/4"},
+                                                                               {"²", "^2"},
+                                                                               {"³", "^3"},
+                                                                               {"ω", "w"},
+                                                                               {"Δ", "h for the step"}}};
+
+struct Reader {
+  const Source& source;
+  int& line;
+  std::size_t i;
+  std::vector<Token> result;
+  std::vector<Place> open;
+
+  const std::string& text() const { return source.line(line); }
+  Place here() const { return source.place(line, i); }
+  void push(Token::Kind kind, std::size_t length) {
+    result.push_back({kind, text().substr(i, length), here()});
+    i += length;
+  }
+
+  void number() {
+    const std::string& s = text();
+    std::size_t end = i;
+    while (end < s.size() && is_digit(s[end])) ++end;
+    if (end < s.size() && s[end] == '.') {
+      ++end;
+      while (end < s.size() && is_digit(s[end])) ++end;
+      if (s[end - 1] == '.')
+        throw source.error(here(), "the number '" + s.substr(i, end - i) + "' ends in a point");
+    }
+    if (end < s.size() && (s[end] == 'e' || s[end] == 'E')) {
+      std::size_t exponent = end + 1;
+      if (exponent < s.size() && (s[exponent] == '+' || s[exponent] == '-')) ++exponent;
+      if (exponent < s.size() && is_digit(s[exponent])) {
+        end = exponent;
+        while (end < s.size() && is_digit(s[end])) ++end;
+      }
+    }
+    const std::string digits = s.substr(i, end - i);
+    push(Token::Kind::number, end - i);
+    if (i < s.size() && (is_letter(s[i]) || s[i] == '(')) {
+      std::size_t word = i;
+      while (word < s.size() && (is_letter(s[word]) || is_digit(s[word]))) ++word;
+      const std::string next = s[i] == '(' ? "(" : s.substr(i, word - i);
+      throw source.error(here(), "a product is written with *: " + digits + "*" + next);
+    }
+    if (i < s.size() && s[i] == '.') throw source.error(here(), "a number has at most one point");
+  }
+
+  [[noreturn]] void stranger() {
+    const std::string_view rest = std::string_view(text()).substr(i);
+    for (const auto& [fancy, plain] : kFancy)
+      if (rest.starts_with(fancy))
+        throw source.error(here(), "'" + std::string(fancy) + "' is not in the language; write " + std::string(plain));
+    std::size_t length = 1;
+    while (length < rest.size() && (static_cast<unsigned char>(rest[length]) & 0xC0) == 0x80) ++length;
+    throw source.error(here(), "'" + std::string(rest.substr(0, length)) + "' is not in the language");
+  }
+
+  void read_line() {
+    while (i < text().size()) {
+      const char c = text()[i];
+      if (c == '#') break;
+      if (c == ' ' || c == '\t') {
+        ++i;
+      } else if (is_digit(c) || (c == '.' && i + 1 < text().size() && is_digit(text()[i + 1]))) {
+        number();
+      } else if (is_letter(c)) {
+        std::size_t end = i;
+        while (end < text().size() && (is_letter(text()[end]) || is_digit(text()[end]))) ++end;
+        push(Token::Kind::name, end - i);
+      } else if (std::string_view("+-*/^(),=:&{}").find(c) != std::string_view::npos) {
+        if (c == '(') open.push_back(here());
+        if (c == ')') {
+          if (open.empty()) throw source.error(here(), "this ) closes nothing");
+          open.pop_back();
+        }
+        if (c == '*' && i + 1 < text().size() && text()[i + 1] == '*')
+          throw source.error(here(), "a power is written with ^");
+        push(Token::Kind::sign, 1);
+      } else {
+        stranger();
+      }
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<Token> tokens(const Source& source, int& line, std::size_t byte) {
+  Reader reader{source, line, byte, {}, {}};
+  for (;;) {
+    reader.read_line();
+    const bool and_more = !reader.result.empty() && reader.result.back().text == "&";
+    if (reader.open.empty() && !and_more) break;
+    if (line == source.line_count()) {
+      if (!reader.open.empty()) throw source.error(reader.open.back(), "this ( is never closed");
+      throw source.error(reader.result.back().place, "nothing follows the final '&'");
+    }
+    ++line;
+    reader.i = 0;
+  }
+  reader.result.push_back({Token::Kind::end, "", source.place(line, reader.i)});
+  return std::move(reader.result);
+}
+
+}  // namespace shortfall

@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/program/parse.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "analysis/program/suggest.hpp"
+#include "analysis/program/tableau.hpp"
+#include "analysis/program/token_reader.hpp"
+
+namespace shortfall {
+
+namespace {
+
+const std::vector<std::string> kHeadWords{"alias", "source", "param", "state"};
+const std::vector<std::string> kBlockWords{"start", "step", "finish", "tableau", "expect"};
+const std::vector<std::string> kClaimWords{"exact", "shortfall", "shortfall-velocity"};
+
+bool is_one_of(const std::string& word, const std::vector<std::string>& words) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+class FileParser {
+ public:
+  FileParser(const Source& source) : source_(source) { program_.file = source.file(); }
+
+  Program parsed() {
+    while (next_line()) read_line();
+    if (statements_.size() > 1) throw source_.error(opened_, "this substeps { is never closed");
+    if (program_.name.empty())
+      throw source_.error({1, 1}, "an integrator file begins with: integrator NAME");
+    if (!seen_.contains("step") && !program_.tableau)
+      throw source_.error({source_.line_count(), 1}, "the integrator has no step (and no tableau)");
+    if (program_.tableau) lower_tableau(program_, source_);
+    check(program_, source_);
+    return std::move(program_);
+  }
+
+ private:
+  /// Moves to the next line that is not blank; remembers comments above `integrator`.
+  bool next_line() {
+    while (++line_ <= source_.line_count()) {
+      const std::string& text = source_.line(line_);
+      byte_ = text.find_first_not_of(" \t");
+      if (byte_ == std::string::npos) continue;
+      if (text[byte_] != '#') return true;
+      if (program_.name.empty()) {
+        std::size_t from = text.find_first_not_of("# \t", byte_);
+        std::string comment = from == std::string::npos ? "" : text.substr(from);
+        if (!program_.description.empty()) program_.description += '\n';
+        program_.description += comment;
+      }
+    }
+    return false;
+  }
+
+  Place here() const { return source_.place(line_, byte_); }
+  SyntaxError error(const std::string& what) const { return source_.error(here(), what); }
+
+  /// The word at the cursor: letters, digits, hyphens, underscores.
+  std::string word() const {
+    const std::string& text = source_.line(line_);
+    std::size_t end = byte_;
+    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '-' || text[end] == '_')) ++end;
+    return text.substr(byte_, end - byte_);
+  }
+
+  void skip(std::size_t bytes) {
+    byte_ = source_.line(line_).find_first_not_of(" \t", byte_ + bytes);
+    if (byte_ == std::string::npos) byte_ = source_.line(line_).size();
+  }
+
+  /// What remains of the line, without comment markers being special and without trailing blanks.
+  std::string rest(const std::string& what) const {
+    std::string text = source_.line(line_).substr(byte_);
+    while (!text.empty() && (text.back() == ' ' || text.back() == '\t')) text.pop_back();
+    if (text.empty()) throw error("expected " + what);
+    return text;
+  }
+
+  TokenReader reader() { return TokenReader(source_, tokens(source_, line_, byte_)); }
+
+  void end_of_line(const std::string& after) {
+    if (byte_ < source_.line(line_).size() && source_.line(line_)[byte_] != '#')
+      throw error("nothing may follow '" + after + "' on its line");
+  }
+
+  void read_line() {
+    const std::string first = word();
+    if (first == "integrator") return read_name();
+    if (program_.name.empty())
+      throw error("an integrator file begins with: integrator NAME");
+    const bool assigns = source_.line(line_).find('=', byte_) != std::string::npos;
+    if (is_one_of(first, kBlockWords) && !(assigns && first != "tableau" && first != "expect" && next_is_equals(first)))
+      return open_block(first);
+    if (block_.empty()) return read_head(first);
+    if (block_ == "tableau") return read_row(first);
+    if (block_ == "expect") return read_claim(first);
+    read_statement(*statements_.back(), first);
+  }
+
+  bool next_is_equals(const std::string& first) const {
+    const std::string& text = source_.line(line_);
+    const std::size_t next = text.find_first_not_of(" \t", byte_ + first.size());
+    return next != std::string::npos && text[next] == '=';
+  }
+
+  void read_name() {
+    if (!program_.name.empty()) throw error("a file holds one integrator; '" + program_.name + "' was begun above");
+    skip(10);
+    const std::string name = rest("a name after integrator");
+    const std::string bare = name.substr(0, name.find_first_of(" \t#"));
+    const bool good = bare[0] >= 'a' && bare[0] <= 'z' && std::ranges::all_of(bare, [](char c) {
+                        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+                      });
+    if (!good || bare.size() > 80)
+      throw error("a name is made of lower-case letters, digits and hyphens, begins with a letter and has at most 80 characters; found '" +
+                  bare.substr(0, 80) + "'");
+    skip(bare.size());
+    end_of_line(bare);
+    program_.name = bare;
+  }
+
+  void read_head(const std::string& first) {
+    const Place place = here();
+    if (first == "alias" || first == "source") {
+      skip(first.size());
+      (first == "alias" ? program_.aliases : program_.sources).push_back(rest("text after " + first));
+      return;
+    }
+    if (first == "param" || first == "state") {
+      skip(first.size());
+      TokenReader in = reader();
+      const Token name = in.expect_name("the name of a " + std::string(first == "param" ? "parameter" : "state"));
+      const bool typed = in.take_if(":");
+      if (first == "state") {
+        if (!typed) throw in.error("a state has a dimension: state " + name.text + " : L/T^2");
+        program_.states.push_back({name.text, in.dimension(), name.place});
+        in.expect_end("the dimension");
+      } else {
+        const Dimension dimension = typed ? in.dimension() : kPure;
+        if (!in.at("=")) throw in.error("a parameter has a default: param " + name.text + " = 1/4");
+        in.take();
+        program_.parameters.push_back({name.text, dimension, in.expression(), name.place});
+        in.expect_end("the default");
+      }
+      return;
+    }
+    std::vector<std::string> words = kHeadWords;
+    words.insert(words.end(), kBlockWords.begin(), kBlockWords.end());
+    if (first.empty() || next_is_equals(first))
+      throw source_.error(place, "a statement stands in a start, step or finish block; none is open");
+    throw source_.error(place, "unknown word '" + first + "'" + did_you_mean(first, words));
+  }
+
+  void open_block(const std::string& block) {
+    if (statements_.size() > 1) throw error("substeps { is not closed before '" + block + "'");
+    if (!seen_.insert(block).second) throw error("there is already a " + block + " block");
+    if ((block == "tableau" && seen_.contains("step")) || (block == "step" && seen_.contains("tableau")))
+      throw error("an integrator has a step or a tableau, not both");
+    const Place place = here();
+    skip(block.size());
+    end_of_line(block);
+    block_ = block;
+    statements_.clear();
+    if (block == "start") statements_.push_back(&program_.start);
+    if (block == "step") statements_.push_back(&program_.step);
+    if (block == "finish") statements_.push_back(&program_.finish);
+    if (block == "tableau") {
+      program_.tableau.emplace();
+      program_.tableau->place = place;
+    }
+  }
+
+  void read_statement(std::vector<Statement>& block, const std::string& first) {
+    if (is_one_of(first, kHeadWords) && !next_is_equals(first))
+      throw error("'" + first + "' stands at the head of the file, before the blocks");
+    TokenReader in = reader();
+    if (in.at("}")) return close_substeps(in);
+    if (first == "solve" && !next_is_equals(first)) return read_solve(block, in);
+    if (first == "substeps" && !next_is_equals(first)) return open_substeps(block, in);
+    const Token name = in.expect_name("a statement NAME = EXPRESSION");
+    for (const char* sign : {"+", "-", "*", "/"})
+      if (in.at(sign)) {
+        in.take();
+        if (in.at("=")) throw in.error("write it out: " + name.text + " = " + name.text + " " + sign + " ...");
+        throw in.error("expected '=' after '" + name.text + "', found '" + sign + "'");
+      }
+    in.expect("=", "after '" + name.text + "'");
+    if (in.at("=")) throw in.error("one = is enough");
+    Statement s;
+    s.name = name.text;
+    s.place = name.place;
+    s.value = in.expression();
+    in.expect_end("the statement");
+    block.push_back(std::move(s));
+  }
+
+  void read_solve(std::vector<Statement>& block, TokenReader& in) {
+    Statement s;
+    s.kind = Statement::Kind::solve;
+    s.place = in.take().place;
+    do {
+      const Token name = in.expect_name("the name of the unknown after solve");
+      if (!in.at(":")) throw in.error("an unknown has a dimension: solve " + name.text + " : L/T^2 = ...");
+      in.take();
+      const Dimension dimension = in.dimension();
+      in.expect("=", "after the dimension");
+      s.unknowns.push_back({name.text, dimension, in.expression(), name.place});
+    } while (in.take_if("&"));
+    in.expect_end("the solve");
+    block.push_back(std::move(s));
+  }
+
+  void open_substeps(std::vector<Statement>& block, TokenReader& in) {
+    if (statements_.size() > 1) throw in.error("substeps cannot stand inside substeps");
+    if (block_ != "step") throw in.error("substeps stands in the step block");
+    Statement s;
+    s.kind = Statement::Kind::substeps;
+    s.place = in.take().place;
+    s.value = in.expression();
+    in.expect("{", "after the number of substeps");
+    block.push_back(std::move(s));
+    opened_ = block.back().place;
+    statements_.push_back(&block.back().body);
+    in.expect_end("'{'; the statements stand on lines of their own");
+  }
+
+  void close_substeps(TokenReader& in) {
+    if (statements_.size() < 2) throw in.error("this } closes nothing");
+    in.take();
+    in.expect_end("'}'");
+    statements_.pop_back();
+  }
+
+  void read_row(const std::string& first) {
+    read_tableau_row(*program_.tableau, source_, line_, byte_, first);
+  }
+
+  void read_claim(const std::string& first) {
+    if (!is_one_of(first, kClaimWords))
+      throw error("unknown claim '" + first + "'" + did_you_mean(first, kClaimWords) +
+                  (nearest(first, kClaimWords).empty() ? "; the claims are exact, shortfall, shortfall-velocity" : ""));
+    const Place place = here();
+    skip(first.size());
+    TokenReader in = reader();
+    if (in.at_end()) throw in.error("expected a value after " + first);
+    program_.claims.push_back({first, in.expression(), place});
+    in.expect_end("the claim");
+  }
+
+  const Source& source_;
+  Program program_;
+  std::set<std::string> seen_;
+  std::string block_;
+  std::vector<std::vector<Statement>*> statements_;
+  Place opened_;
+  int line_ = 0;
+  std::size_t byte_ = 0;
+};
+
+}  // namespace
+
+Program parse(std::string_view text, const std::string& file) {
+  const Source source(file, text);
+  FileParser parser(source);
+  return parser.parsed();
+}
+
+Program parse_file(const std::string& path) {
+  std::ifstream in(path, std::ios::binary);
+  std::ostringstream text;
+  if (in) text << in.rdbuf();
+  if (!in || in.bad()) throw BadInput("cannot read the file '" + path + "'");
+  return parse(text.str(), path);
+}
+
+Expr parse_formula(std::string_view text, const std::string& origin, const Names& names, const Type& wanted) {
+  const Source source(origin, text);
+  int line = 1;
+  TokenReader in(source, tokens(source, line, 0));
+  Expr e = in.expression();
+  in.expect_end("the formula");
+  const Type type = type_of(e, names, source);
+  if (!type.zero && !type.same_as(wanted))
+    throw source.error({1, 1}, "the formula is a " + type.str() + ", expected a " + wanted.str());
+  return e;
+}
+
+const Parameter* Program::parameter(const std::string& name) const {
+  for (const Parameter& p : parameters)
+    if (p.name == name) return &p;
+  return nullptr;
+}
+
+}  // namespace shortfall

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "analysis/program/tape.hpp"
+
+namespace shortfall {
+
+/// Runs a tape, unchanged, in any problem.
+///
+/// A problem says what the values are and what the force is. It has types Scalar and Vector with the usual operators and
+///   Scalar number(const Rational&)
+///   std::optional<Scalar> parameter(int index, bool derived)    empty: the default is computed
+///   Vector zero()
+///   Vector acceleration(const Vector& x, const Vector& v, const Scalar& t)
+///   void solve(std::vector<Vector>& unknowns, F&& f)             unknowns hold a first guess, then satisfy unknowns = f(unknowns)
+template <class Problem>
+class Run {
+ public:
+  using Scalar = typename Problem::Scalar;
+  using Vector = typename Problem::Vector;
+
+  Run(const Tape& tape, Problem& problem, Scalar h)
+      : tape_(tape), problem_(problem), scalars_(tape.scalar_registers), vectors_(tape.vector_registers, problem.zero()) {
+    scalars_[Tape::kStep] = std::move(h);
+    scalars_[Tape::kTimeRegister] = problem_.number(0);
+    for (const Rational& n : tape.numbers) numbers_.push_back(problem_.number(n));
+    for (std::size_t i = 0; i < tape.parameters.size(); ++i) {
+      const Tape::ParameterSlot& p = tape.parameters[i];
+      std::optional<Scalar> value;
+      if (p.fixed)
+        value = problem_.number(*p.fixed);
+      else
+        value = problem_.parameter(static_cast<int>(i), p.derived);
+      if (value)
+        scalars_[2 + i] = std::move(*value);
+      else
+        execute(p.fallback);
+    }
+  }
+
+  /// Puts the body at x0, v0 at a time and runs `start`.
+  void begin(Vector x0, Vector v0, Scalar t0) {
+    vectors_[Tape::kPosition] = std::move(x0);
+    vectors_[Tape::kVelocityRegister] = std::move(v0);
+    scalars_[Tape::kTimeRegister] = std::move(t0);
+    execute(tape_.start);
+  }
+
+  /// One step; t has advanced by h when it returns.
+  void step() {
+    execute(tape_.step);
+    scalars_[Tape::kTimeRegister] = scalars_[Tape::kTimeRegister] + scalars_[Tape::kStep];
+  }
+
+  /// Position and velocity as `finish` reports them; the state stays as it is.
+  std::pair<Vector, Vector> read_out() {
+    if (tape_.finish.empty()) return {state(0), state(1)};
+    const std::vector<Vector> kept(vectors_.begin(), vectors_.begin() + static_cast<long>(tape_.states.size()));
+    execute(tape_.finish);
+    std::pair<Vector, Vector> result{state(0), state(1)};
+    std::copy(kept.begin(), kept.end(), vectors_.begin());
+    return result;
+  }
+
+  /// The carried vectors: 0 is x, 1 is v, then the program's own states.
+  const Vector& state(int index) const { return vectors_[index]; }
+  void set_state(int index, Vector value) { vectors_[index] = std::move(value); }
+  const Scalar& time() const { return scalars_[Tape::kTimeRegister]; }
+  void set_time(Scalar t) { scalars_[Tape::kTimeRegister] = std::move(t); }
+  void set_step(Scalar h) { scalars_[Tape::kStep] = std::move(h); }
+
+ private:
+  void execute(const Block& block) {
+    for (const Instruction& i : block) execute(i);
+  }
+
+  void execute(const Instruction& i) {
+    using Kind = Instruction::Kind;
+    auto& s = scalars_;
+    auto& v = vectors_;
+    switch (i.kind) {
+      case Kind::number: s[i.out] = numbers_[i.a]; break;
+      case Kind::scalar_copy: s[i.out] = s[i.a]; break;
+      case Kind::scalar_negate: s[i.out] = -s[i.a]; break;
+      case Kind::scalar_add: s[i.out] = s[i.a] + s[i.b]; break;
+      case Kind::scalar_subtract: s[i.out] = s[i.a] - s[i.b]; break;
+      case Kind::scalar_multiply: s[i.out] = s[i.a] * s[i.b]; break;
+      case Kind::scalar_divide: s[i.out] = s[i.a] / s[i.b]; break;
+      case Kind::scalar_power: s[i.out] = powered(s[i.a], i.b); break;
+      case Kind::zero: v[i.out] = problem_.zero(); break;
+      case Kind::vector_copy: v[i.out] = v[i.a]; break;
+      case Kind::vector_negate: v[i.out] = -v[i.a]; break;
+      case Kind::vector_add: v[i.out] = v[i.a] + v[i.b]; break;
+      case Kind::vector_subtract: v[i.out] = v[i.a] - v[i.b]; break;
+      case Kind::scale: v[i.out] = s[i.a] * v[i.b]; break;
+      case Kind::vector_divide: v[i.out] = v[i.a] / s[i.b]; break;
+      case Kind::force: v[i.out] = problem_.acceleration(v[i.a], v[i.b], s[i.c]); break;
+      case Kind::solve: solve(tape_.solves[i.a]); break;
+      case Kind::repeat: repeat(tape_.repeats[i.a]); break;
+    }
+  }
+
+  /// By multiplications from the left, ((h*h)*h)*h, as the writers of code print it; a negative exponent divides 1 at the end.
+  Scalar powered(const Scalar& base, int exponent) {
+    if (exponent == 0) return problem_.number(1);
+    Scalar result = base;
+    for (int k = 1; k < std::abs(exponent); ++k) result = result * base;
+    return exponent > 0 ? result : problem_.number(1) / result;
+  }
+
+  void solve(const Tape::Solve& solve) {
+    std::vector<Vector> unknowns;
+    for (const Dimension& d : solve.dimensions)  // a position begins at x, a velocity at v
+      unknowns.push_back(d == kLength ? state(0) : d == kVelocity ? state(1) : problem_.zero());
+    problem_.solve(unknowns, [&](const std::vector<Vector>& guess) {
+      for (std::size_t k = 0; k < guess.size(); ++k) vectors_[solve.unknowns[k]] = guess[k];
+      execute(solve.body);
+      std::vector<Vector> values;
+      for (int result : solve.results) values.push_back(vectors_[result]);
+      return values;
+    });
+    for (std::size_t k = 0; k < unknowns.size(); ++k) vectors_[solve.unknowns[k]] = std::move(unknowns[k]);
+  }
+
+  void repeat(const Tape::Repeat& repeat) {
+    const Scalar h = scalars_[Tape::kStep];
+    const Scalar t = scalars_[Tape::kTimeRegister];
+    scalars_[Tape::kStep] = h / problem_.number(repeat.count);
+    for (int k = 0; k < repeat.count; ++k) {
+      execute(repeat.body);
+      scalars_[Tape::kTimeRegister] = scalars_[Tape::kTimeRegister] + scalars_[Tape::kStep];
+    }
+    scalars_[Tape::kStep] = h;
+    scalars_[Tape::kTimeRegister] = t;
+  }
+
+  const Tape& tape_;
+  Problem& problem_;
+  std::vector<Scalar> numbers_;
+  std::vector<Scalar> scalars_;
+  std::vector<Vector> vectors_;
+};
+
+}  // namespace shortfall

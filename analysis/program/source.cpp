@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/program/source.hpp"
+
+namespace shortfall {
+
+namespace {
+
+constexpr std::size_t kLongestFile = 1'000'000;
+constexpr std::size_t kLongestLine = 10'000;
+
+bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
+
+/// The byte after the UTF-8 character that begins at i; 0 when there is none that is well formed.
+std::size_t after_character(std::string_view text, std::size_t i) {
+  const auto lead = static_cast<unsigned char>(text[i]);
+  const std::size_t length = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
+  if (length == 0 || i + length > text.size()) return 0;
+  for (std::size_t k = 1; k < length; ++k)
+    if (!continues(text[i + k])) return 0;
+  return i + length;
+}
+
+}  // namespace
+
+Source::Source(std::string file, std::string_view text) : file_(std::move(file)) {
+  if (text.size() > kLongestFile)
+    throw SyntaxError(file_, 1, 1, "the file is larger than 1 MB; an integrator needs about twelve lines");
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = text.find('\n', begin);
+    if (end == std::string_view::npos) end = text.size();
+    std::string_view line = text.substr(begin, end - begin);
+    if (line.ends_with('\r')) line.remove_suffix(1);
+    const int number = line_count() + 1;
+    if (line.size() > kLongestLine)
+      throw SyntaxError(file_, number, 1, "the line is longer than 10,000 bytes");
+    for (std::size_t i = 0; i < line.size();) {
+      const std::size_t next = line[i] == '\0' ? 0 : after_character(line, i);
+      if (next == 0) throw SyntaxError(file_, number, static_cast<int>(i) + 1, "this is not a text file (UTF-8)");
+      i = next;
+    }
+    lines_.emplace_back(line);
+    begin = end + 1;
+  }
+  if (lines_.empty()) lines_.emplace_back();
+}
+
+Place Source::place(int line, std::size_t byte) const {
+  int column = 1;
+  const std::string& text = lines_[line - 1];
+  for (std::size_t i = 0; i < byte && i < text.size(); ++i)
+    if (!continues(text[i])) ++column;
+  return {line, column};
+}
+
+SyntaxError Source::error(Place place, const std::string& what) const {
+  const bool known = place.line >= 1 && place.line <= line_count();
+  return SyntaxError(file_, place.line, place.column, what, known ? line(place.line) : std::string());
+}
+
+}  // namespace shortfall

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/program/expression.hpp"
+
+namespace shortfall {
+
+/// A text cut into lines, which knows how to complain about a place in itself.
+class Source {
+ public:
+  /// throws  SyntaxError  when the text is no text (NUL bytes, broken UTF-8), larger than 1 MB, or has a line of over 10,000 bytes
+  Source(std::string file, std::string_view text);
+
+  const std::string& file() const { return file_; }
+  int line_count() const { return static_cast<int>(lines_.size()); }
+  const std::string& line(int number) const { return lines_[number - 1]; }
+  /// The place of a byte of a line, columns counted in characters.
+  Place place(int line, std::size_t byte) const;
+  SyntaxError error(Place place, const std::string& what) const;
+
+ private:
+  std::string file_;
+  std::vector<std::string> lines_;
+};
+
+}  // namespace shortfall

@@ -1,0 +1,262 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/program/tape.hpp"
+
+#include <algorithm>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/program/suggest.hpp"
+
+namespace shortfall {
+
+using Op = Expression::Op;
+using Kind = Instruction::Kind;
+
+namespace {
+
+Rational value_of(const Expr& e, const Values& values) {
+  switch (e->op) {
+    case Op::number: return e->value;
+    case Op::name: return values.at(e->name);
+    case Op::negate: return -value_of(e->operands[0], values);
+    case Op::add: return value_of(e->operands[0], values) + value_of(e->operands[1], values);
+    case Op::subtract: return value_of(e->operands[0], values) - value_of(e->operands[1], values);
+    case Op::multiply: return value_of(e->operands[0], values) * value_of(e->operands[1], values);
+    case Op::divide: return value_of(e->operands[0], values) / value_of(e->operands[1], values);
+    case Op::power: {
+      std::int64_t exponent = 0;
+      value_of(e->operands[1], values).fits_int64(exponent);
+      return value_of(e->operands[0], values).pow(static_cast<int>(exponent));
+    }
+    case Op::force:
+    case Op::sum: break;
+  }
+  throw Error("a parameter's default is made of numbers and parameters");
+}
+
+bool mentions_a_name(const Expr& e) {
+  return e->op == Op::name || std::ranges::any_of(e->operands, mentions_a_name);
+}
+
+void collect_counts(const std::vector<Statement>& block, std::vector<std::string>& names) {
+  for (const Statement& s : block) {
+    if (s.kind != Statement::Kind::substeps) continue;
+    if (s.value->op == Op::name) names.push_back(s.value->name);
+    collect_counts(s.body, names);
+  }
+}
+
+class Lowering {
+ public:
+  Lowering(const Program& program, const Values& given) : program_(program), values_(parameter_values(program, given)) {
+    tape_.name = program.name;
+    scalars_ = {{"h", Tape::kStep}, {"t", Tape::kTimeRegister}};
+    tape_.scalar_registers = 2;
+    std::vector<std::string> counts;
+    collect_counts(program.step, counts);
+    for (const Parameter& p : program.parameters) {
+      const int slot = tape_.scalar_registers++;
+      Tape::ParameterSlot parameter{p.name, {}, mentions_a_name(p.fallback), {}};
+      if (given.contains(p.name) || std::ranges::find(counts, p.name) != counts.end()) parameter.fixed = values_.at(p.name);
+      block_ = &parameter.fallback;
+      scalar_into(p.fallback, slot);
+      scalars_[p.name] = slot;
+      tape_.parameters.push_back(std::move(parameter));
+    }
+    state("x", kLength);
+    state("v", kVelocity);
+    for (const State& s : program.states) state(s.name, s.dimension);
+  }
+
+  Tape tape() {
+    const auto scalars = scalars_;
+    const auto vectors = vectors_;
+    for (auto [from, to] : {std::pair{&program_.start, &tape_.start}, {&program_.step, &tape_.step}, {&program_.finish, &tape_.finish}}) {
+      scalars_ = scalars;
+      vectors_ = vectors;
+      block_ = to;
+      statements(*from);
+    }
+    return std::move(tape_);
+  }
+
+ private:
+  void state(const std::string& name, Dimension dimension) {
+    vectors_[name] = tape_.vector_registers++;
+    tape_.states.push_back(name);
+    tape_.state_dimensions.push_back(dimension);
+  }
+
+  void emit(Kind kind, int out, int a = 0, int b = 0, int c = 0) { block_->push_back({kind, out, a, b, c}); }
+
+  bool is_vector(const Expr& e) const {
+    switch (e->op) {
+      case Op::number: return false;
+      case Op::name: return vectors_.contains(e->name);
+      case Op::force: return true;
+      case Op::power: return false;
+      default: return std::ranges::any_of(e->operands, [&](const Expr& o) { return is_vector(o); });
+    }
+  }
+
+  int new_scalar() { return tape_.scalar_registers++; }
+  int new_vector() { return tape_.vector_registers++; }
+
+  int scalar(const Expr& e) {
+    if (e->op == Op::name) return scalars_.at(e->name);
+    const int out = new_scalar();
+    scalar_into(e, out);
+    return out;
+  }
+
+  void scalar_into(const Expr& e, int out) {
+    switch (e->op) {
+      case Op::number:
+        tape_.numbers.push_back(e->value);
+        return emit(Kind::number, out, static_cast<int>(tape_.numbers.size()) - 1);
+      case Op::name: return emit(Kind::scalar_copy, out, scalars_.at(e->name));
+      case Op::negate: return emit(Kind::scalar_negate, out, scalar(e->operands[0]));
+      case Op::power: {
+        const int base = scalar(e->operands[0]);
+        std::int64_t exponent = 0;
+        value_of(e->operands[1], {}).fits_int64(exponent);
+        return emit(Kind::scalar_power, out, base, static_cast<int>(exponent));
+      }
+      default: break;
+    }
+    static const std::map<Op, Kind> kinds{{Op::add, Kind::scalar_add},
+                                          {Op::subtract, Kind::scalar_subtract},
+                                          {Op::multiply, Kind::scalar_multiply},
+                                          {Op::divide, Kind::scalar_divide}};
+    const int a = scalar(e->operands[0]);
+    const int b = scalar(e->operands[1]);
+    emit(kinds.at(e->op), out, a, b);
+  }
+
+  int vector(const Expr& e) {
+    if (e->op == Op::name && vectors_.contains(e->name)) return vectors_.at(e->name);
+    const int out = new_vector();
+    vector_into(e, out);
+    return out;
+  }
+
+  void vector_into(const Expr& e, int out) {
+    if (!is_vector(e)) return emit(Kind::zero, out);  // the checker lets only 0 through
+    const auto& o = e->operands;
+    switch (e->op) {
+      case Op::name: return emit(Kind::vector_copy, out, vectors_.at(e->name));
+      case Op::negate: return emit(Kind::vector_negate, out, vector(o[0]));
+      case Op::add:
+      case Op::subtract: {
+        const int a = vector(o[0]);
+        const int b = vector(o[1]);
+        return emit(e->op == Op::add ? Kind::vector_add : Kind::vector_subtract, out, a, b);
+      }
+      case Op::multiply: {
+        const bool left = is_vector(o[0]);
+        const int factor = scalar(o[left ? 1 : 0]);
+        return emit(Kind::scale, out, factor, vector(o[left ? 0 : 1]));
+      }
+      case Op::divide: {
+        const int a = vector(o[0]);
+        return emit(Kind::vector_divide, out, a, scalar(o[1]));
+      }
+      case Op::force: {
+        const int x = vector(o[0]);
+        const int v = vector(o[1]);
+        return emit(Kind::force, out, x, v, scalar(o[2]));
+      }
+      default: throw Error("not a vector expression");
+    }
+  }
+
+  void statements(const std::vector<Statement>& block) {
+    for (const Statement& s : block) {
+      switch (s.kind) {
+        case Statement::Kind::assign: assign(s); break;
+        case Statement::Kind::solve: solve(s); break;
+        case Statement::Kind::substeps: repeat(s); break;
+      }
+    }
+  }
+
+  void assign(const Statement& s) {
+    const bool known_vector = vectors_.contains(s.name);
+    if (known_vector || is_vector(s.value)) {
+      // The right-hand side is read before the name changes, so it may be computed straight into its register.
+      if (!known_vector) {
+        const int out = new_vector();
+        vector_into(s.value, out);
+        vectors_[s.name] = out;
+      } else {
+        vector_into(s.value, vectors_.at(s.name));
+      }
+    } else if (scalars_.contains(s.name)) {
+      scalar_into(s.value, scalars_.at(s.name));
+    } else {
+      const int out = new_scalar();
+      scalar_into(s.value, out);
+      scalars_[s.name] = out;
+    }
+  }
+
+  void solve(const Statement& s) {
+    Tape::Solve solve;
+    for (const Unknown& u : s.unknowns) {
+      solve.unknowns.push_back(new_vector());
+      solve.dimensions.push_back(u.dimension);
+      vectors_[u.name] = solve.unknowns.back();
+    }
+    Block* outer = block_;
+    block_ = &solve.body;
+    for (const Unknown& u : s.unknowns) {
+      const int out = new_vector();
+      vector_into(u.value, out);
+      solve.results.push_back(out);
+    }
+    block_ = outer;
+    tape_.solves.push_back(std::move(solve));
+    emit(Kind::solve, 0, static_cast<int>(tape_.solves.size()) - 1);
+  }
+
+  void repeat(const Statement& s) {
+    std::int64_t count = 0;
+    const Rational value = value_of(s.value, values_);
+    if (!value.fits_int64(count) || count < 1 || count > 10'000)
+      throw BadInput("a number of substeps is a whole number from 1 to 10000, not " + value.str());
+    Tape::Repeat repeat{static_cast<int>(count), {}};
+    Block* outer = block_;
+    block_ = &repeat.body;
+    statements(s.body);
+    block_ = outer;
+    tape_.repeats.push_back(std::move(repeat));
+    emit(Kind::repeat, 0, static_cast<int>(tape_.repeats.size()) - 1);
+  }
+
+  const Program& program_;
+  Values values_;
+  Tape tape_;
+  std::map<std::string, int> scalars_;
+  std::map<std::string, int> vectors_;
+  Block* block_ = nullptr;
+};
+
+}  // namespace
+
+Tape lower(const Program& program, const Values& given) { return Lowering(program, given).tape(); }
+
+Values parameter_values(const Program& program, const Values& given) {
+  std::vector<std::string> names;
+  for (const Parameter& p : program.parameters) names.push_back(p.name);
+  for (const auto& [name, value] : given)
+    if (!program.parameter(name))
+      throw BadInput(program.name + " has no parameter '" + name + "'" +
+                     (names.empty() ? "; it has none" : did_you_mean(name, names)));
+  Values values;
+  for (const Parameter& p : program.parameters) {
+    const auto found = given.find(p.name);
+    values[p.name] = found != given.end() ? found->second : value_of(p.fallback, values);
+  }
+  return values;
+}
+
+}  // namespace shortfall

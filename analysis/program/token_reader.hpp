@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "analysis/program/dimension.hpp"
+#include "analysis/program/lexer.hpp"
+
+namespace shortfall {
+
+/// Reads expressions off the tokens of one statement, by precedence climbing.
+class TokenReader {
+ public:
+  TokenReader(const Source& source, std::vector<Token> tokens) : source_(source), tokens_(std::move(tokens)) {}
+
+  const Token& peek() const { return tokens_[next_]; }
+  bool at_end() const { return peek().kind == Token::Kind::end; }
+  bool at(std::string_view sign) const { return peek().kind == Token::Kind::sign && peek().text == sign; }
+  Token take();
+  bool take_if(std::string_view sign);
+  /// throws  SyntaxError  "expected SIGN, found ..." when it is not there
+  Token expect(std::string_view sign, std::string_view where);
+  Token expect_name(std::string_view what);
+  /// throws  SyntaxError  when anything is left
+  void expect_end(std::string_view after);
+
+  Expr expression();
+  /// "L/T^2", "1/T", "1".
+  Dimension dimension();
+
+  SyntaxError error(const std::string& what) const { return source_.error(peek().place, what); }
+  SyntaxError error(Place place, const std::string& what) const { return source_.error(place, what); }
+  std::string found() const;
+
+ private:
+  Expr product();
+  Expr signed_factor();
+  Expr power_of();
+  Expr primary();
+  Expr call(const Token& name);
+  int whole_number(std::string_view what);
+  void missing_operator() const;
+
+  const Source& source_;
+  std::vector<Token> tokens_;
+  std::size_t next_ = 0;
+  int depth_ = 0;
+  int nodes_ = 0;
+};
+
+}  // namespace shortfall
