@@ -7,8 +7,8 @@ namespace shortfall {
 
 /// A rational function: a quotient of two polynomials over the rationals.
 ///
-/// Invariant: in lowest terms, denominator monic (leading coefficient 1); so equality is structural. While the denominator is 1
-/// no gcd is computed.
+/// Invariant: in lowest terms, denominator monic (leading coefficient 1); so equality is structural. While
+/// the denominator is 1 no gcd is computed.
 class Fraction {
  public:
   Fraction() : denominator_(1) {}
@@ -33,12 +33,24 @@ class Fraction {
   Fraction& operator-=(const Fraction&);
   Fraction& operator*=(const Fraction&);
   Fraction& operator/=(const Fraction&);  ///< throws Undefined on division by zero
-  friend Fraction operator+(Fraction a, const Fraction& b) { return a += b; }
-  friend Fraction operator-(Fraction a, const Fraction& b) { return a -= b; }
-  friend Fraction operator*(Fraction a, const Fraction& b) { return a *= b; }
-  friend Fraction operator/(Fraction a, const Fraction& b) { return a /= b; }
+  friend Fraction operator+(Fraction a, const Fraction& b) {
+    a += b;
+    return a;
+  }
+  friend Fraction operator-(Fraction a, const Fraction& b) {
+    a -= b;
+    return a;
+  }
+  friend Fraction operator*(Fraction a, const Fraction& b) {
+    a *= b;
+    return a;
+  }
+  friend Fraction operator/(Fraction a, const Fraction& b) {
+    a /= b;
+    return a;
+  }
   bool operator==(const Fraction&) const = default;
-  Fraction pow(int exponent) const;
+  Fraction pow(int exponent) const;  ///< throws Undefined for a negative power of zero
 
   /// throws  Undefined  when the denominator vanishes there
   Fraction substitute(Letter letter, const Fraction& value) const;
@@ -49,7 +61,9 @@ class Fraction {
   std::string str(std::span<const std::string> names) const;
 
  private:
+  void add(const Fraction&, bool negated);
   void reduce();
+  void make_monic();
   Polynomial numerator_;
   Polynomial denominator_;
 };

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/algebra/fraction.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "analysis/algebra/error.hpp"
+
+namespace shortfall {
+namespace {
+
+/// a / g, for a known divisor.
+Polynomial without(const Polynomial& a, const Polynomial& g) {
+  return g.is_constant() ? a : exact_quotient(a, g);
+}
+
+/// Sum of coefficients[k] p^k q^(n-k) with n the highest power: the numerator over q^n after letter -> p/q.
+Polynomial homogenized(const std::vector<Polynomial>& coefficients, const Polynomial& p,
+                       const Polynomial& q) {
+  Polynomial sum;
+  Polynomial scale = 1;
+  for (std::size_t k = coefficients.size(); k-- > 0;) {
+    if (k + 1 < coefficients.size()) scale *= q;
+    sum = sum * p + coefficients[k] * scale;
+  }
+  return sum;
+}
+
+std::string factor_text(const Polynomial& p, std::span<const std::string> names) {
+  const std::string text = p.str(names);
+  return p.terms().size() > 1 ? "(" + text + ")" : text;
+}
+
+/// Whether the text of p may stand after a slash as it is: one letter, with its power.
+bool is_power_of_letter(const Polynomial& p) {
+  if (p.terms().size() != 1) return false;
+  int letters = 0;
+  for (Letter letter = 0; letter < kLetters; ++letter) letters += p.contains(letter);
+  return letters == 1;
+}
+
+}  // namespace
+
+Fraction::Fraction(Polynomial numerator, Polynomial denominator)
+    : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {
+  if (denominator_.is_zero()) throw Undefined("a fraction cannot have the denominator zero");
+  reduce();
+}
+
+Fraction Fraction::letter(Letter letter, int exponent) {
+  if (exponent >= 0) return Polynomial::letter(letter, exponent);
+  Fraction result(1);
+  result.denominator_ = Polynomial::letter(letter, -exponent);
+  return result;
+}
+
+void Fraction::make_monic() {
+  const Rational leading = denominator_.terms().front().coefficient;
+  if (leading.is_one()) return;
+  const Rational factor = 1 / leading;
+  numerator_ *= factor;
+  denominator_ *= factor;
+}
+
+void Fraction::reduce() {
+  if (numerator_.is_zero()) {
+    denominator_ = 1;
+    return;
+  }
+  if (!denominator_.is_constant()) {
+    const Polynomial common = gcd(numerator_, denominator_);
+    numerator_ = without(numerator_, common);
+    denominator_ = without(denominator_, common);
+  }
+  make_monic();
+}
+
+Fraction Fraction::operator-() const {
+  Fraction result;
+  result.numerator_ = -numerator_;
+  result.denominator_ = denominator_;
+  return result;
+}
+
+void Fraction::add(const Fraction& other, bool negated) {
+  const auto accumulate = [negated](Polynomial& sum, const Polynomial& p) {
+    if (negated)
+      sum -= p;
+    else
+      sum += p;
+  };
+  if (other.is_zero()) return;
+  if (is_polynomial() && other.is_polynomial()) {
+    accumulate(numerator_, other.numerator_);
+    return;
+  }
+  if (denominator_ == other.denominator_) {
+    accumulate(numerator_, other.numerator_);
+    reduce();
+    return;
+  }
+  // Only the common part of the denominators can cancel again.
+  const Polynomial common = gcd(denominator_, other.denominator_);
+  const Polynomial mine = without(denominator_, common);
+  Polynomial numerator = numerator_ * without(other.denominator_, common);
+  accumulate(numerator, other.numerator_ * mine);
+  const Polynomial cancels =
+      common.is_constant() || numerator.is_zero() ? Polynomial(1) : gcd(numerator, common);
+  numerator_ = without(numerator, cancels);
+  denominator_ = numerator_.is_zero() ? Polynomial(1) : mine * without(other.denominator_, cancels);
+}
+
+Fraction& Fraction::operator+=(const Fraction& other) {
+  if (this == &other) return *this *= Fraction(2);
+  add(other, false);
+  return *this;
+}
+
+Fraction& Fraction::operator-=(const Fraction& other) {
+  if (this == &other) return *this = Fraction();
+  add(other, true);
+  return *this;
+}
+
+Fraction& Fraction::operator*=(const Fraction& other) {
+  if (is_polynomial() && other.is_polynomial()) {
+    numerator_ *= other.numerator_;
+    return *this;
+  }
+  if (is_zero() || other.is_zero()) return *this = Fraction();
+  // Each numerator can cancel only against the other denominator; products of monic polynomials are monic.
+  const Polynomial down = gcd(numerator_, other.denominator_);
+  const Polynomial up = gcd(other.numerator_, denominator_);
+  Polynomial numerator = without(numerator_, down) * without(other.numerator_, up);
+  denominator_ = without(denominator_, up) * without(other.denominator_, down);
+  numerator_ = std::move(numerator);
+  return *this;
+}
+
+Fraction& Fraction::operator/=(const Fraction& other) {
+  if (other.is_zero()) throw Undefined("division of a fraction by zero");
+  if (other.is_constant()) {
+    numerator_ *= 1 / other.constant();
+    return *this;
+  }
+  Fraction inverse;
+  inverse.numerator_ = other.denominator_;
+  inverse.denominator_ = other.numerator_;
+  inverse.make_monic();
+  return *this *= inverse;
+}
+
+Fraction Fraction::pow(int exponent) const {
+  if (exponent < 0) {
+    if (is_zero()) throw Undefined("zero has no negative power");
+    Fraction inverse = Fraction(1) / *this;
+    inverse.numerator_ = inverse.numerator_.pow(-exponent);
+    inverse.denominator_ = inverse.denominator_.pow(-exponent);
+    return inverse;
+  }
+  Fraction result;
+  result.numerator_ = numerator_.pow(exponent);
+  result.denominator_ = denominator_.pow(exponent);
+  return result;
+}
+
+Fraction Fraction::substitute(Letter letter, const Fraction& value) const {
+  if (!contains(letter)) return *this;
+  if (value.is_polynomial()) {
+    Polynomial below = denominator_.substitute(letter, value.numerator_);
+    if (below.is_zero()) throw Undefined("the denominator of a fraction vanishes where a letter is replaced");
+    return Fraction(numerator_.substitute(letter, value.numerator_), std::move(below));
+  }
+  const Polynomial& p = value.numerator_;
+  const Polynomial& q = value.denominator_;
+  Polynomial above = homogenized(numerator_.coefficients(letter), p, q);
+  Polynomial below = homogenized(denominator_.coefficients(letter), p, q);
+  if (below.is_zero()) throw Undefined("the denominator of a fraction vanishes where a letter is replaced");
+  const int surplus = denominator_.degree(letter) - std::max(numerator_.degree(letter), 0);
+  (surplus > 0 ? above : below) *= q.pow(std::abs(surplus));
+  return Fraction(std::move(above), std::move(below));
+}
+
+Rational Fraction::evaluate(const std::map<Letter, Rational>& values) const {
+  const Rational below = denominator_.evaluate(values);
+  if (below.is_zero()) throw Undefined("the denominator of a fraction vanishes at the values of its letters");
+  return numerator_.evaluate(values) / below;
+}
+
+std::string Fraction::str(std::span<const std::string> names) const {
+  if (is_polynomial()) return numerator_.str(names);
+  const std::string below = denominator_.str(names);
+  return factor_text(numerator_, names) + "/" +
+         (is_power_of_letter(denominator_) ? below : "(" + below + ")");
+}
+
+}  // namespace shortfall
