@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <compare>
+#include <string>
+
 #include "analysis/algebra/rational.hpp"
 
 namespace shortfall {
@@ -8,7 +11,7 @@ namespace shortfall {
 /// p + q sqrt(d): an exact real number of a real quadratic field, such as a launch speed sqrt(2 g H).
 ///
 /// Invariant: d >= 0; d is 0 and q is 0 when the number is rational (a square d is taken out of the root).
-/// Two operands must share d, or one of them be rational.
+/// Two operands must share d up to a rational square, or one of them be rational; comparisons take any two.
 class Surd {
  public:
   Surd() = default;
@@ -24,6 +27,7 @@ class Surd {
   const Rational& root_part() const { return q_; }
   const Rational& radicand() const { return d_; }
   bool is_rational() const { return q_.is_zero(); }
+  bool is_zero() const { return p_.is_zero() && q_.is_zero(); }
   int sign() const;  ///< exact
 
   Surd operator-() const;
@@ -31,12 +35,25 @@ class Surd {
   Surd& operator-=(const Surd&);
   Surd& operator*=(const Surd&);
   Surd& operator/=(const Surd&);  ///< throws Undefined on division by zero
-  friend Surd operator+(Surd a, const Surd& b) { return a += b; }
-  friend Surd operator-(Surd a, const Surd& b) { return a -= b; }
-  friend Surd operator*(Surd a, const Surd& b) { return a *= b; }
-  friend Surd operator/(Surd a, const Surd& b) { return a /= b; }
-  bool operator==(const Surd& other) const { return (*this - other).sign() == 0; }
-  std::strong_ordering operator<=>(const Surd& other) const { return (*this - other).sign() <=> 0; }
+  friend Surd operator+(Surd a, const Surd& b) {
+    a += b;
+    return a;
+  }
+  friend Surd operator-(Surd a, const Surd& b) {
+    a -= b;
+    return a;
+  }
+  friend Surd operator*(Surd a, const Surd& b) {
+    a *= b;
+    return a;
+  }
+  friend Surd operator/(Surd a, const Surd& b) {
+    a /= b;
+    return a;
+  }
+  bool operator==(const Surd& other) const { return (*this <=> other) == 0; }
+  std::strong_ordering operator<=>(const Surd& other) const;
+  Surd abs() const { return sign() < 0 ? -*this : *this; }
 
   Rational floor() const;  ///< exact
   /// Nearest binary64 / binary32, ties to even.
@@ -50,6 +67,7 @@ class Surd {
   std::string str() const;
 
  private:
+  void settle();
   Rational p_;
   Rational q_;
   Rational d_;
