@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "analysis/motion/sequence.hpp"
+#include "analysis/motion/step_map.hpp"
+
+namespace shortfall {
+
+/// A vector after n steps as a combination of x0, v0, f0..fD (in this order), each coefficient in closed form.
+using Motion = std::vector<Sequence>;
+
+Motion operator-(const Motion& a, const Motion& b);
+bool is_zero(const Motion& motion);
+
+/// Position and velocity after n steps of an integrator under a force polynomial in time.
+struct ClosedForm {
+  int degree = 0;
+  Motion position;
+  Motion velocity;
+  std::vector<Motion> states;  ///< every carried vector
+  int valid_from = 0;          ///< the smallest n from which on it holds (a carried state may need a step or two to settle)
+  std::vector<std::pair<Fraction, int>> spectrum;  ///< eigenvalues of the step and their multiplicities
+};
+
+/// The closed form, by the spectral decomposition of the step's matrix; eigenvalue 1 by Faulhaber's sums, others by geometric ones.
+///
+/// throws  Unable  when the coefficients of the step depend on t, or an eigenvalue is no rational function of the letters
+ClosedForm closed_form(const StepMap& map);
+
+/// The true motion x(t) and x'(t) at t = n h.
+Motion exact_position(int degree);
+Motion exact_velocity(int degree);
+
+/// How a closed form was proved.
+struct MotionProof {
+  bool proved = false;
+  int points = 0;        ///< consecutive n at which it was compared with stepping in letters
+  int recurrence = 0;    ///< order of the linear recurrence that both sides satisfy
+};
+
+/// Compares the closed form with stepping in letters on as many consecutive n as the order of the linear recurrence that both sides satisfy
+/// (for polynomials of degree d in n: d + 1 points), which proves it for every n.
+MotionProof prove(const StepMap& map, const ClosedForm& form);
+
+}  // namespace shortfall

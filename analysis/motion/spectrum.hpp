@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "analysis/algebra/fraction.hpp"
+
+namespace shortfall {
+
+using Matrix = std::vector<std::vector<Fraction>>;
+
+Matrix identity_matrix(int size);
+Matrix operator*(const Matrix& a, const Matrix& b);
+
+/// Coefficients of det(z - M), lowest power of z first.
+///
+/// source  Faddeev & Sominsky (1949); Le Verrier (1840)
+std::vector<Fraction> characteristic_polynomial(const Matrix& m);
+
+/// One eigenvalue of a matrix, with the projector on its generalised eigenspace along the others and N = (M - value) projector.
+struct SpectralPart {
+  Fraction value;
+  int multiplicity;
+  Matrix projector;
+  Matrix nilpotent;
+};
+
+/// The spectral decomposition of a matrix of rational functions whose eigenvalues are rational functions too.
+///
+/// throws  Unable  when an eigenvalue is irrational
+std::vector<SpectralPart> spectral_parts(const Matrix& m);
+
+}  // namespace shortfall
