@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/program/lexer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -30,8 +31,9 @@ struct Reader {
   const Source& source;
   int& line;
   std::size_t i;
-  std::vector<Token> result;
-  std::vector<Place> open;
+  std::size_t stop = std::string::npos;  ///< where reading ends on the line
+  std::vector<Token> result = {};
+  std::vector<Place> open = {};
 
   const std::string& text() const { return source.line(line); }
   Place here() const { return source.place(line, i); }
@@ -80,7 +82,7 @@ struct Reader {
   }
 
   void read_line() {
-    while (i < text().size()) {
+    while (i < std::min(stop, text().size())) {
       const char c = text()[i];
       if (c == '#') break;
       if (c == ' ' || c == '\t') {
@@ -110,7 +112,7 @@ struct Reader {
 }  // namespace
 
 std::vector<Token> tokens(const Source& source, int& line, std::size_t byte) {
-  Reader reader{source, line, byte, {}, {}};
+  Reader reader{source, line, byte};
   for (;;) {
     reader.read_line();
     const bool and_more = !reader.result.empty() && reader.result.back().text == "&";
@@ -123,6 +125,14 @@ std::vector<Token> tokens(const Source& source, int& line, std::size_t byte) {
     reader.i = 0;
   }
   reader.result.push_back({Token::Kind::end, "", source.place(line, reader.i)});
+  return std::move(reader.result);
+}
+
+std::vector<Token> tokens_between(const Source& source, int line, std::size_t begin, std::size_t end) {
+  Reader reader{source, line, begin, end};
+  reader.read_line();
+  if (!reader.open.empty()) throw source.error(reader.open.back(), "this ( is not closed in its entry; an entry has no blanks");
+  reader.result.push_back({Token::Kind::end, "", source.place(line, end)});
   return std::move(reader.result);
 }
 

@@ -21,4 +21,7 @@ struct Token {
 /// throws  SyntaxError  at a character that is not in the language, a product without *, a parenthesis that is never closed
 std::vector<Token> tokens(const Source& source, int& line, std::size_t byte);
 
+/// The tokens of a part of one line, from a byte up to another.
+std::vector<Token> tokens_between(const Source& source, int line, std::size_t begin, std::size_t end);
+
 }  // namespace shortfall

@@ -11,15 +11,7 @@ namespace {
 
 /// One entry, a run of characters without blanks, as an expression.
 Expr entry(const Source& source, int line, std::size_t begin, std::size_t end) {
-  // The tokens are cut by a copy of the line that ends where the entry ends, so that columns stay true.
-  int at = line;
-  std::vector<Token> all = tokens(source, at, begin);
-  const Place stop = source.place(line, end);
-  std::vector<Token> mine;
-  for (const Token& t : all)
-    if (t.place.line == line && t.place.column < stop.column && t.kind != Token::Kind::end) mine.push_back(t);
-  mine.push_back({Token::Kind::end, "", stop});
-  TokenReader in(source, std::move(mine));
+  TokenReader in(source, tokens_between(source, line, begin, end));
   Expr e = in.expression();
   in.expect_end("an entry of the tableau");
   return e;

@@ -53,8 +53,9 @@ class Lowering {
     tape_.scalar_registers = 2;
     std::vector<std::string> counts;
     collect_counts(program.step, counts);
+    tape_.scalar_registers += static_cast<int>(program.parameters.size());  // temporaries of the defaults come after them
     for (const Parameter& p : program.parameters) {
-      const int slot = tape_.scalar_registers++;
+      const int slot = 2 + static_cast<int>(tape_.parameters.size());
       Tape::ParameterSlot parameter{p.name, {}, mentions_a_name(p.fallback), {}};
       if (given.contains(p.name) || std::ranges::find(counts, p.name) != counts.end()) parameter.fixed = values_.at(p.name);
       block_ = &parameter.fallback;

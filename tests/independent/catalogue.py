@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A second, independent implementation of the .integrator language, which checks every claim of the catalogue.
 
-It shares nothing with the library: its own reader and interpreter (language.py), the standard library only. Every file is
-stepped exactly, with fractions.Fraction, for accelerations that are polynomials in t with random coefficients, from
+It shares nothing with the library: its own reader and interpreter (language.py, interpreter.py), the standard library
+only. Every file is stepped exactly, with fractions.Fraction, for accelerations that are polynomials in t with random coefficients, from
 random starting values, and its `expect` lines are compared:
 
   exact D             equal for every degree up to D, different for degree D + 1
@@ -26,7 +26,8 @@ from fractions import Fraction
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from language import Bad, Integrator, execute, parameters, run, value  # noqa: E402
+from interpreter import execute, parameters, run, value  # noqa: E402
+from language import Bad, Integrator  # noqa: E402
 
 # The classical order for x'' = a(x, t) and for x'' = a(x, v, t). It comes from the literature, not from the program.
 ORDER = {
