@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/motion/claims.hpp"
+
+#include <algorithm>
+
+#include "analysis/motion/formula.hpp"
+#include "analysis/program/print.hpp"
+
+namespace shortfall {
+
+namespace {
+
+/// The motion of an integrator and the closed form of what it falls short by.
+struct Shortfall {
+  StepMap map;
+  ClosedForm form;
+  Motion position;
+  Motion velocity;
+
+  Shortfall(const Program& program, int degree)
+      : map(step_map(lower(program), degree)),
+        form(closed_form(map)),
+        position(exact_position(degree) - form.position),
+        velocity(exact_velocity(degree) - form.velocity) {}
+
+  /// Exact minus reported after so many steps, by stepping: for the first steps, which the closed form may
+  /// not cover.
+  std::vector<Fraction> stepped_at(int n, const LinearForm& row, const Motion& exact) const {
+    const LinearForm value = reported(row, stepped(map, n).back(), n, map.force.states);
+    std::vector<Fraction> difference;
+    for (std::size_t column = 0; column < exact.size(); ++column) {
+      const int c = static_cast<int>(column);
+      difference.push_back(exact[column].at(n) - value[c < 2 ? c : map.force.force_column(c - 2)]);
+    }
+    return difference;
+  }
+};
+
+/// A coefficient in the letters of a claim, with t for n h where that leaves no h below.
+std::string coefficient_text(const Fraction& coefficient, const std::vector<std::string>& letters) {
+  const Fraction in_time =
+      coefficient.substitute(kCount, Fraction::letter(kTimeLetter) / Fraction::letter(kStepLetter));
+  const bool shorter = !in_time.denominator().contains(kStepLetter);
+  return (shorter ? in_time : coefficient).str(letters);
+}
+
+/// "(-1/2*h*t)*a": for the reader of a refuted claim.
+std::string text(const Motion& motion, const std::vector<std::string>& letters) {
+  std::string result;
+  for (std::size_t column = 0; column < motion.size(); ++column)
+    for (const Sequence::Term& term : motion[column].terms()) {
+      const std::string power = term.base == Fraction(1) ? "" : "(" + term.base.str(letters) + ")^n*";
+      const std::string letter = column == 0 ? "x0" : column == 1 ? "v0" : "a";
+      result += (result.empty() ? "" : " + ") + power + "(" + coefficient_text(term.coefficient, letters) +
+                ")*" + letter;
+    }
+  return result.empty() ? "0" : result;
+}
+
+ClaimVerdict shortfall_verdict(const Program& program, const Claim& claim, const Shortfall& constant) {
+  const bool of_position = claim.word == "shortfall";
+  const Motion& exact = of_position ? exact_position(0) : exact_velocity(0);
+  const Motion& found = of_position ? constant.position : constant.velocity;
+  const Motion claimed = evaluated(claim.value, formula_scalars(program), 0);
+  bool holds = is_zero(claimed - found);
+  for (int n = 1; n < constant.form.valid_from && holds; ++n) {
+    const auto value =
+        constant.stepped_at(n, of_position ? constant.map.position : constant.map.velocity, exact);
+    for (std::size_t column = 0; column < value.size(); ++column)
+      holds = holds && claimed[column].at(n) == value[column];
+  }
+  return {claim.word + " " + print(claim.value), holds, claim.word + " " + text(found, constant.map.letters)};
+}
+
+/// The highest degree of a force polynomial up to which a motion is exact, at most the one it was computed
+/// for; -1 when not even a constant force.
+int exact_degree(const Shortfall& shortfall) {
+  const int columns = shortfall.form.degree + 3;
+  std::vector<bool> exact(columns);
+  for (int c = 0; c < columns; ++c)
+    exact[c] = shortfall.position[c].is_zero() && shortfall.velocity[c].is_zero();
+  for (int n = 1; n < shortfall.form.valid_from; ++n) {
+    const auto x = shortfall.stepped_at(n, shortfall.map.position, exact_position(shortfall.form.degree));
+    const auto v = shortfall.stepped_at(n, shortfall.map.velocity, exact_velocity(shortfall.form.degree));
+    for (int c = 0; c < columns; ++c) exact[c] = exact[c] && x[c].is_zero() && v[c].is_zero();
+  }
+  if (!exact[0] || !exact[1]) return -1;
+  return static_cast<int>(std::ranges::find(exact.begin() + 2, exact.end(), false) - exact.begin()) - 3;
+}
+
+ClaimVerdict exact_verdict(const Program& program, const Claim& claim) {
+  std::int64_t degree = 0;
+  claim.value->value.fits_int64(degree);
+  const int claimed = static_cast<int>(degree);
+  const int found = exact_degree(Shortfall(program, claimed + 1));
+  const std::string more = found > claimed ? " or more" : "";
+  return {claim.word + " " + print(claim.value), found == claimed,
+          found < 0 ? "not exact for a constant force" : "exact " + std::to_string(found) + more};
+}
+
+}  // namespace
+
+std::vector<ClaimVerdict> claims(const Program& program) {
+  std::vector<ClaimVerdict> verdicts;
+  const bool about_constant_force =
+      std::ranges::any_of(program.claims, [](const Claim& c) { return c.word != "exact"; });
+  std::optional<Shortfall> constant;
+  if (about_constant_force) constant.emplace(program, 0);
+  for (const Claim& claim : program.claims)
+    verdicts.push_back(claim.word == "exact" ? exact_verdict(program, claim)
+                                             : shortfall_verdict(program, claim, *constant));
+  return verdicts;
+}
+
+}  // namespace shortfall

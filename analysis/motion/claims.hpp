@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/program/program.hpp"
+
+namespace shortfall {
+
+/// What became of one claim of an `expect` block.
+struct ClaimVerdict {
+  std::string claim;  ///< as the author wrote it: "shortfall -a*h*t/2"
+  bool holds = false;
+  std::string found;  ///< what is true instead, in the same words: "shortfall a*h*t/2"
+};
+
+/// Proves or refutes every claim of an integrator, its parameters kept as letters.
+///
+/// throws  Unable  when there is no closed form to hold them against;  Undefined  when a stage is singular
+std::vector<ClaimVerdict> claims(const Program& program);
+
+}  // namespace shortfall

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/motion/formula.hpp"
+
+#include <charconv>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/program/print.hpp"
+
+namespace shortfall {
+
+using Op = Expression::Op;
+
+namespace {
+
+/// A scalar has `factor`; a vector has `motion`, one entry a column.
+struct Value {
+  Sequence factor;
+  Motion motion;
+  bool is_vector() const { return !motion.empty(); }
+};
+
+/// k and m of an exponent k n + m with whole numbers k and m.
+struct Exponent {
+  std::int64_t count = 0;
+  std::int64_t constant = 0;
+};
+
+class Evaluation {
+ public:
+  Evaluation(const FormulaScalars& scalars, int degree) : scalars_(scalars), columns_(degree + 3) {}
+
+  Motion motion(const Expr& e) const { return widened(of(e), e).motion; }
+
+  Value of(const Expr& e) const {
+    switch (e->op) {
+      case Op::number:
+        return {Sequence(e->value), {}};
+      case Op::name:
+        return of_name(e);
+      case Op::negate:
+        return scaled(of(e->operands[0]), Sequence(-1));
+      case Op::add:
+        return sum(e, Sequence(1));
+      case Op::subtract:
+        return sum(e, Sequence(-1));
+      case Op::multiply:
+        return product(e);
+      case Op::divide:
+        return scaled(of(e->operands[0]), reciprocal(e->operands[1]));
+      case Op::power:
+        return {power(e), {}};
+      case Op::force:
+      case Op::sum:
+        break;
+    }
+    throw Unable("a formula is made of numbers, names and + - * / ^; found '" + print(e) + "'");
+  }
+
+ private:
+  Value of_name(const Expr& e) const {
+    if (const auto found = scalars_.find(e->name); found != scalars_.end())
+      return {Sequence(found->second), {}};
+    Value value;
+    value.motion.resize(columns_);
+    value.motion[column(e->name)] = Sequence(1);
+    return value;
+  }
+
+  int column(const std::string& name) const {
+    if (name == "x0") return 0;
+    if (name == "v0") return 1;
+    if (name == "a") return 2;
+    int d = -1;
+    if (name.starts_with('f')) std::from_chars(name.data() + 1, name.data() + name.size(), d);
+    if (d < 0 || d + 2 >= columns_) throw Error("the formula has an unknown name '" + name + "'");
+    return d + 2;
+  }
+
+  /// As a vector; the number 0 is one as well.
+  Value widened(Value value, const Expr& e) const {
+    if (value.is_vector()) return value;
+    if (!value.factor.is_zero()) throw Error("'" + print(e) + "' is no vector");
+    value.motion.resize(columns_);
+    return value;
+  }
+
+  static Value scaled(Value value, const Sequence& factor) {
+    value.factor = value.factor * factor;
+    for (Sequence& entry : value.motion) entry = entry * factor;
+    return value;
+  }
+
+  Value sum(const Expr& e, const Sequence& sign) const {
+    Value left = of(e->operands[0]);
+    Value right = scaled(of(e->operands[1]), sign);
+    if (!left.is_vector() && !right.is_vector()) return {left.factor + right.factor, {}};
+    left = widened(std::move(left), e->operands[0]);
+    right = widened(std::move(right), e->operands[1]);
+    for (int i = 0; i < columns_; ++i) left.motion[i] += right.motion[i];
+    return left;
+  }
+
+  Value product(const Expr& e) const {
+    const Value left = of(e->operands[0]);
+    const Value right = of(e->operands[1]);
+    if (left.is_vector() && right.is_vector()) throw Error("'" + print(e) + "' multiplies two vectors");
+    return left.is_vector() ? scaled(left, right.factor) : scaled(right, left.factor);
+  }
+
+  Sequence reciprocal(const Expr& e) const {
+    const Sequence divisor = of(e).factor;
+    if (divisor.is_zero()) throw Undefined("the formula divides by '" + print(e) + "', which is zero");
+    if (divisor.terms().size() != 1)
+      throw Unable("the formula divides by '" + print(e) + "', a sum of different powers");
+    const Sequence::Term& term = divisor.terms().front();
+    return Sequence(Fraction(1) / term.base, Fraction(1) / term.coefficient);
+  }
+
+  Sequence power(const Expr& e) const {
+    const Exponent exponent = exponent_of(e->operands[1]);
+    const Expr& base = e->operands[0];
+    Sequence result(1);
+    if (exponent.constant != 0) {
+      const Sequence factor = exponent.constant < 0 ? reciprocal(base) : of(base).factor;
+      for (std::int64_t k = 0; k < std::abs(exponent.constant); ++k) result = result * factor;
+    }
+    if (exponent.count == 0) return result;
+    const Sequence value = of(base).factor;
+    if (value.is_zero()) throw Undefined("the formula has a power of '" + print(base) + "', which is zero");
+    if (!value.is_polynomial() || value.polynomial().contains(kCount))
+      throw Unable("the base of '" + print(e) + "' depends on n");
+    return result * Sequence(value.polynomial().pow(static_cast<int>(exponent.count)), 1);
+  }
+
+  Exponent exponent_of(const Expr& e) const {
+    const Unable refusal("the exponent '" + print(e) +
+                         "' is not of the form k*n + m with whole numbers k and m of at most 1000");
+    const Sequence value = of(e).factor;
+    if (!value.is_polynomial() || !value.polynomial().is_polynomial()) throw refusal;
+    Exponent exponent;
+    const Polynomial polynomial = value.polynomial().numerator();
+    if (polynomial.total_degree() > 1 || polynomial.degree(kCount) < polynomial.total_degree()) throw refusal;
+    const auto whole = [&](const Polynomial& p, std::int64_t& k) {
+      if (!p.constant().fits_int64(k) || k < -1000 || k > 1000) throw refusal;
+    };
+    whole(polynomial.coefficient(kCount, 1), exponent.count);
+    whole(polynomial.coefficient(kCount, 0), exponent.constant);
+    return exponent;
+  }
+
+  const FormulaScalars& scalars_;
+  int columns_;
+};
+
+}  // namespace
+
+FormulaScalars formula_scalars(const Program& program, const Values& given) {
+  FormulaScalars scalars;
+  const Tape tape = lower(program, given);
+  for (std::size_t i = 0; i < tape.parameters.size(); ++i) {
+    const Tape::ParameterSlot& slot = tape.parameters[i];
+    if (slot.fixed)
+      scalars[slot.name] = *slot.fixed;
+    else if (slot.derived)
+      scalars[slot.name] = Evaluation(scalars, 0).of(program.parameters[i].fallback).factor.polynomial();
+    else
+      scalars[slot.name] = Fraction::letter(kFirstParameter + static_cast<Letter>(i));
+  }
+  const Fraction n = Fraction::letter(kCount);
+  const Fraction h = Fraction::letter(kStepLetter);
+  scalars.insert({{"n", n}, {"h", h}, {"t", n * h}});
+  return scalars;
+}
+
+Motion evaluated(const Expr& formula, const FormulaScalars& scalars, int degree) {
+  return Evaluation(scalars, degree).motion(formula);
+}
+
+}  // namespace shortfall
