@@ -20,8 +20,10 @@ class Fraction {
   Fraction(Polynomial numerator, Polynomial denominator);
   static Fraction letter(Letter letter, int exponent = 1);  ///< a negative exponent is allowed
 
-  const Polynomial& numerator() const { return numerator_; }
-  const Polynomial& denominator() const { return denominator_; }
+  const Polynomial& numerator() const& { return numerator_; }
+  const Polynomial& denominator() const& { return denominator_; }
+  Polynomial numerator() && { return std::move(numerator_); }
+  Polynomial denominator() && { return std::move(denominator_); }
   bool is_zero() const { return numerator_.is_zero(); }
   bool is_polynomial() const { return denominator_.is_constant(); }
   bool is_constant() const { return is_polynomial() && numerator_.is_constant(); }

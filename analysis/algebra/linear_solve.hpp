@@ -12,7 +12,8 @@ struct LinearSolution {
   /// One solution, free unknowns set to zero; empty when the system is inconsistent.
   std::optional<std::vector<Field>> solution;
   std::vector<int> free_unknowns;
-  /// When inconsistent: multipliers y with y^T A = 0 and y^T b != 0, a certificate that anybody can check (Fredholm's alternative).
+  /// When inconsistent: multipliers y with y^T A = 0 and y^T b != 0, a certificate that anybody can check
+  /// (Fredholm's alternative).
   std::vector<Field> certificate;
 };
 

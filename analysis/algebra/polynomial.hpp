@@ -6,6 +6,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/algebra/rational.hpp"
@@ -104,7 +105,8 @@ class Polynomial {
   static Polynomial in(Letter letter, std::span<const Rational> coefficients);
   static Polynomial from_terms(std::vector<Term> terms);  ///< in any order, with repeats
 
-  const std::vector<Term>& terms() const { return terms_; }
+  const std::vector<Term>& terms() const& { return terms_; }
+  std::vector<Term> terms() && { return std::move(terms_); }  ///< so that a loop over a temporary is safe
   bool is_zero() const { return terms_.empty(); }
   bool is_constant() const;
   Rational constant() const;  ///< the coefficient of 1

@@ -3,6 +3,7 @@
 
 #include <compare>
 #include <string>
+#include <utility>
 
 #include "analysis/algebra/rational.hpp"
 
@@ -23,9 +24,12 @@ class Surd {
   /// The square root of a non-negative rational.
   static Surd sqrt(const Rational& d) { return Surd(0, 1, d); }
 
-  const Rational& rational_part() const { return p_; }
-  const Rational& root_part() const { return q_; }
-  const Rational& radicand() const { return d_; }
+  const Rational& rational_part() const& { return p_; }
+  const Rational& root_part() const& { return q_; }
+  const Rational& radicand() const& { return d_; }
+  Rational rational_part() && { return std::move(p_); }
+  Rational root_part() && { return std::move(q_); }
+  Rational radicand() && { return std::move(d_); }
   bool is_rational() const { return q_.is_zero(); }
   bool is_zero() const { return p_.is_zero() && q_.is_zero(); }
   int sign() const;  ///< exact
