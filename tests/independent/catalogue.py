@@ -3,17 +3,17 @@
 """A second, independent implementation of the .integrator language, which checks every claim of the catalogue.
 
 It shares nothing with the library: its own reader and interpreter (language.py, interpreter.py), the standard library
-only. Every file is stepped exactly, with fractions.Fraction, for accelerations that are polynomials in t with random coefficients, from
-random starting values, and its `expect` lines are compared:
+only. Every file is stepped exactly, with fractions.Fraction, for accelerations that are polynomials in t with random
+coefficients, from random starting values, and its `expect` lines are compared:
 
   exact D             equal for every degree up to D, different for degree D + 1
   shortfall E         equal after n = 1..6 steps, for three sets of parameters
   shortfall-velocity  the same
 
 Besides that each file is held against what the literature says of the method: the order seen when the step is halved
-for an anharmonic, non-autonomous force, without and with a dependence on the velocity; for tableaus the order conditions
-of all rooted trees, exactly; which methods are the same map, and which are each other's adjoint, exactly for a damped and
-driven spring. One line a file; the exit code is 1 if anything failed.
+for an anharmonic, non-autonomous force, without and with a dependence on the velocity; for tableaus the order
+conditions of all rooted trees, exactly; which methods are the same map, and which are each other's adjoint, exactly
+for a damped and driven spring. One line a file; the exit code is 1 if anything failed.
 
     tests/independent/catalogue.py [--seed N] [FILE or FOLDER ...]
 """
@@ -195,7 +195,7 @@ def check_order(integrator):
     return seen
 
 
-# --- Kinship: what the literature says of pairs of methods, exactly ----------------------------------------------------
+# --- Kinship: what the literature says of pairs of methods, exactly --------------------------------------------------
 
 IMPLICIT_EULER = """integrator implicit-euler-as-a-tableau
 tableau
@@ -229,7 +229,8 @@ def check_kinship(catalogue, rng):
     def trajectory(name, chosen, force, v=None, h=None, start=None):
         integrator = catalogue[name]
         chosen = {key: Fraction(number) for key, number in chosen.items()}
-        return run(integrator, parameters(integrator, chosen), force, *(start or (h, Fraction(3, 7), v, Fraction(2, 5), 5)))
+        start = start or (h, Fraction(3, 7), v, Fraction(2, 5), 5)
+        return run(integrator, parameters(integrator, chosen), force, *start)
 
     for one, p, other, q, damping in SAME:
         force, h, v = spring(damping), Fraction(rng.randint(1, 9), 10), some(rng)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The .integrator language a second time: a reader, and a check of sorts and dimensions. It shares nothing with the
-library; see catalogue.py."""
+library; see catalogue.py. Made for files that are meant well: limits and messages are not its business."""
 
 import re
 from fractions import Fraction
@@ -261,7 +261,8 @@ class Integrator:
         for block in (self.step or [], self.finish):
             self.check_block(block, dict(known), fixed)
         claims = {key: value for key, value in known.items() if key in self.params or key in ("h", "t")}
-        claims |= {"n": ("scalar", (0, 0)), "a": ("vector", (1, -2)), "x0": ("vector", (1, 0)), "v0": ("vector", (1, -1))}
+        claims |= {"n": ("scalar", (0, 0)), "a": ("vector", (1, -2))}
+        claims |= {"x0": ("vector", (1, 0)), "v0": ("vector", (1, -1))}
         for word, dimension in (("shortfall", (1, 0)), ("shortfall-velocity", (1, -1))):
             if word in self.claims:
                 sort, found = self.type_of(self.claims[word], claims)
