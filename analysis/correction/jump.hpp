@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "analysis/correction/jump_binary32.hpp"
+#include "analysis/correction/jump_flight.hpp"
+#include "analysis/correction/jump_launch.hpp"
+
+namespace shortfall {
+
+/// A jump that a game wants: the body gets the launch velocity sqrt(2 g H), which in exact motion takes it to
+/// H.
+struct JumpQuestion {
+  Rational height;                  ///< H, metres
+  Rational dt = Rational(1, 50);    ///< seconds a frame
+  Rational g = Rational(981, 100);  ///< metres per second squared, positive downwards
+  int substeps = 1;
+  Values parameters = {};
+  std::int64_t binary32_frames = kBinary32Frames;  ///< how many the search in binary32 may step; 0: no search
+};
+
+/// Exact minus computed, metres: positive where the body stays too low. total = method + sampling, exactly.
+struct JumpShortfall {
+  Surd total;     ///< H - height of the highest frame
+  Surd method;    ///< what the integrator loses: exact motion at the time of that frame - its height
+  Surd sampling;  ///< what falls between frames: H - exact motion at that time
+};
+
+/// A launch that puts the top of the jump exactly on a frame.
+struct OnFrame {
+  Rational launch;  ///< metres per second
+  Frame top;        ///< its height is H
+};
+
+/// What becomes of a jump, in exact arithmetic.  "Peak" has four meanings, all here: the target, the height
+/// at the ideal time, the top of the parabola, the highest frame.
+struct Jump {
+  std::string integrator;
+  int substeps = 1;
+  Rational dt;
+  Rational g;
+
+  Surd launch_velocity;                   ///< sqrt(2 g H)
+  Rational target;                        ///< H
+  Surd ideal_time;                        ///< launch / g, when the exact motion is at H; seconds
+  std::optional<Surd> ideal_time_height;  ///< the computed motion then, between frames by its own formula
+  std::optional<Surd> parabola_top;       ///< of the parabola through the frames
+  Frame best_frame;                       ///< the highest; {0, 0} when the body stays on the ground
+  bool tie = false;                       ///< whether the next frame is exactly as high
+  JumpShortfall shortfall;
+
+  bool lifts_off = false;
+  LiftOff lift_off;
+
+  LaunchCorrection correction;
+  struct Corrected {
+    Surd launch;
+    Frame best_frame;
+    JumpShortfall shortfall;
+    bool exact_at_every_frame = false;  ///< whether it is the exact motion, sampled
+  };
+  std::optional<Corrected> corrected;
+
+  std::optional<OnFrame> on_frame;
+  std::string no_on_frame;  ///< why there is none
+  std::optional<Binary32Launch> binary32;
+  std::string no_binary32;  ///< why there is none
+};
+
+/// throws  BadInput  when height, dt or g is not positive, for a value of an unknown parameter, a wrong
+/// number of
+///                   substeps;  Unable  when the flight has no closed form and is too long to be stepped
+Jump jump(const Program& program, const JumpQuestion& question);
+
+/// The same for one of many heights: program, dt, substeps and parameters are those of the flight.
+Jump jump(const Flight& flight, const Rational& height, const Rational& g,
+          std::int64_t binary32_frames = kBinary32Frames);
+
+/// The launch whose frame m is exactly H high and the highest, for the one m that has it.
+std::optional<OnFrame> on_frame(const Flight& flight, const Rational& height, const Rational& g);
+
+}  // namespace shortfall

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/algebra/fraction.hpp"
+#include "analysis/algebra/surd.hpp"
+#include "analysis/program/tape.hpp"
+
+namespace shortfall {
+
+/// A frame of a flight and how high the body is when it ends.
+struct Frame {
+  Rational n;  ///< a whole number; frame 0 is the launch
+  Surd height;
+};
+
+/// Where a body thrown straight up from the ground is at the end of every frame, exactly:
+/// height(n) = launch * rise(n) - g * fall(n).
+///
+/// rise and fall are polynomials in n of degree 2 at most, from the closed form of the n-step map, so that
+/// frame one billion costs what frame one does; where there is no such form, frames are stepped exactly, up
+/// to a limit.
+class Flight {
+ public:
+  /// Coefficients of 1, n, n^2.
+  using Parabola = std::array<Rational, 3>;
+
+  static constexpr int kStepped = 5000;  ///< how many frames are stepped where there is no closed form
+
+  /// param   dt  seconds a frame
+  /// throws  BadInput  when dt is not positive, for a value of an unknown parameter, or a wrong number of
+  /// substeps
+  Flight(const Program& program, const Rational& dt, int substeps = 1, const Values& given = {});
+  Flight(Flight&&) noexcept;
+  Flight& operator=(Flight&&) noexcept;
+  ~Flight();
+
+  const Program& program() const { return program_; }  ///< substeps included
+  const Rational& dt() const { return dt_; }
+  int substeps() const { return substeps_; }
+  const Values& parameters() const { return parameters_; }
+
+  bool parabolic() const { return parabolic_; }
+  const Parabola& rise() const { return rise_; }  ///< when parabolic, from frame settled() on
+  const Parabola& fall() const { return fall_; }
+  int settled() const { return settled_; }
+
+  /// fall(n) with h and the parameters as letters, where the closed form was found in letters.
+  const std::optional<Fraction>& fall_in_letters() const { return fall_in_letters_; }
+  const std::vector<std::string>& letters() const { return letters_; }
+
+  /// throws  Unable  past frame kStepped when the flight is not parabolic
+  Rational rise(const Rational& n) const;
+  Rational fall(const Rational& n) const;
+  Surd height(const Surd& launch, const Rational& g, const Rational& n) const;
+  /// Coefficients of 1, n, n^2 of the height; when parabolic.
+  std::array<Surd, 3> heights(const Surd& launch, const Rational& g) const;
+
+  /// The highest frame until the body is back on the ground, the earliest when two are equally high.
+  ///
+  /// throws  Unable  when it is not back by frame kStepped of a flight that is not parabolic
+  Frame highest(const Surd& launch, const Rational& g) const;
+
+ private:
+  struct Steps;
+  bool adopt(const Tape& tape);
+  const std::pair<Rational, Rational>& stepped(const Rational& n) const;
+  Frame highest_by_steps(const Surd& launch, const Rational& g) const;
+
+  Program program_;
+  Rational dt_;
+  int substeps_;
+  Values parameters_;
+  bool parabolic_ = false;
+  int settled_ = 0;
+  Parabola rise_;
+  Parabola fall_;
+  std::optional<Fraction> fall_in_letters_;
+  std::vector<std::string> letters_;
+  std::unique_ptr<Steps> steps_;
+};
+
+}  // namespace shortfall
