@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/motion/closed_form.hpp"
+#include "analysis/program/expression.hpp"
+
+namespace shortfall {
+
+/// How exact results become formulas: which name counts the steps, and whether n h is gathered into t.
+struct Wording {
+  std::vector<std::string> letters;  ///< see letters.hpp
+  std::string count = "n";
+  bool gather_time = false;  ///< write t for n h
+};
+
+/// The name of the letter in column c of a Motion: x0, v0, then a (degree 0) or f0, f1, ...
+std::string column_name(int column, int degree);
+
+/// A rational function as a formula.
+Expr formula(const Fraction& f, const Wording& wording);
+
+/// coefficient * vector, the coefficient's terms written out: 1/2*a*h^2*n^2 + 1/2*a*h^2*n.
+Expr formula(const Fraction& coefficient, const Expr& vector, const Wording& wording);
+
+/// A motion as a formula.
+Expr formula(const Motion& motion, int degree, const Wording& wording);
+
+}  // namespace shortfall

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "analysis/motion/story.hpp"
+#include "analysis/program/expression.hpp"
+
+namespace shortfall {
+
+/// Evaluates the lines of a derivation at a whole number n, literally: sums are added up term by term, and x_k is the vector that k steps in
+/// letters gave. So a line is tested by other means than those that produced it.
+class LineCheck {
+ public:
+  /// param  points  how many steps to take in advance
+  LineCheck(const StepMap& map, const std::vector<Quantity>& quantities, int degree, int points);
+
+  /// Whether both sides agree, for index = from .. to; `index` is the name that is given this value, "n" or "k".
+  bool agree(const Expr& left, const Expr& right, const std::string& index, int from, int to) const;
+
+  /// The value of a quantity after n steps: columns x0, v0, then f0..fD.
+  LinearForm quantity(int q, int n) const;
+
+ private:
+  using Value = std::variant<Fraction, LinearForm>;
+  using Indices = std::map<std::string, int>;
+  Value evaluated(const Expr& e, const Indices& indices) const;
+  Value of_name(const std::string& name, const Indices& indices) const;
+  LinearForm exact(int n, bool position) const;
+
+  const StepMap& map_;
+  const std::vector<Quantity>& quantities_;
+  int degree_;
+  std::vector<std::vector<LinearForm>> states_;
+};
+
+}  // namespace shortfall
