@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/help.hpp"
+
+#include <algorithm>
+
+#include "analysis/program/suggest.hpp"
+
+#ifndef SHORTFALL_VERSION
+#define SHORTFALL_VERSION "0"
+#endif
+
+namespace shortfall::cli {
+
+void describe(CLI::App& app) {
+  app.name("shortfall");
+  app.description(
+      "Examples:\n"
+      "  shortfall jump --height 40cm --dt 0.02\n"
+      "  shortfall derive symplectic-euler --force constant\n"
+      "  shortfall correct rk4 --force poly:3\n\n"
+      "The exact error of time integrators: what it is, why, and how to repair it.");
+  app.set_version_flag("--version", "shortfall " SHORTFALL_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+}
+
+std::string help(const CLI::App& app) {
+  const CLI::App* asked = &app;
+  while (!asked->get_subcommands().empty()) asked = asked->get_subcommands().front();
+  return asked->help();
+}
+
+std::string unknown_word(const CLI::App& app, int argc, const char* const* argv) {
+  const CLI::App* command = nullptr;
+  const std::vector<const CLI::App*> all = app.get_subcommands([](const CLI::App*) { return true; });
+  std::vector<std::string> commands;
+  for (const CLI::App* c : all) commands.push_back(c->get_name());
+  for (int i = 1; i < argc; ++i) {
+    const std::string word = argv[i];
+    if (!command && !word.starts_with("-")) {
+      const auto found = std::ranges::find(commands, word);
+      if (found != commands.end()) command = all[static_cast<std::size_t>(found - commands.begin())];
+      if (!command) return "unknown command '" + word + "'" + did_you_mean(word, commands) + " (shortfall --help lists all)";
+      continue;
+    }
+    if (word == "--") break;
+    if (!word.starts_with("--")) continue;
+    const std::string name = word.substr(0, word.find('='));
+    const CLI::App& where = command ? *command : app;
+    if (where.get_option_no_throw(name)) continue;
+    std::vector<std::string> options;
+    for (const CLI::Option* o : where.get_options())
+      for (const std::string& l : o->get_lnames()) options.push_back("--" + l);
+    return "unknown option '" + name + "'" + did_you_mean(name, options) +
+           (command ? " (shortfall " + command->get_name() + " --help lists all)" : "");
+  }
+  return "";
+}
+
+std::string sentence(const CLI::ParseError& error) {
+  std::string text = error.what();
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.pop_back();
+  if (text == "A subcommand is required") text = "which command? shortfall --help lists all";
+  return text;
+}
+
+}  // namespace shortfall::cli

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "analysis/program/catalogue.hpp"
+#include "analysis/program/print.hpp"
+#include "cli/command.hpp"
+#include "cli/output.hpp"
+
+namespace shortfall::cli {
+
+namespace {
+
+std::string first_sentence(const std::string& description) {
+  std::string text;
+  for (char c : description) text += c == '\n' ? ' ' : c;
+  // A sentence ends at a point or a colon that a blank follows.
+  for (std::size_t i = 0; i + 1 < text.size(); ++i)
+    if ((text[i] == '.' || text[i] == ':' || text[i] == ';') && text[i + 1] == ' ') return text.substr(0, i);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
+std::string as_text() {
+  std::string text;
+  std::string group;
+  for (const Program& p : catalogue()) {
+    if (family(p) != group) {
+      group = family(p);
+      text += (text.empty() ? "" : "\n") + group + "\n";
+    }
+    text += fmt::format("  {:<30} {}\n", p.name, first_sentence(p.description));
+  }
+  return text + "\nshortfall show NAME prints one; shortfall new integrator FILE begins one of your own.\n";
+}
+
+std::string as_json() {
+  nlohmann::ordered_json json{{"schema", "shortfall.list/1"}, {"integrators", nlohmann::json::array()}};
+  for (const Program& p : catalogue()) {
+    nlohmann::ordered_json parameters = nlohmann::json::array();
+    for (const Parameter& parameter : p.parameters)
+      parameters.push_back({{"name", parameter.name}, {"default", print(parameter.fallback)}});
+    json["integrators"].push_back({{"name", p.name},
+                                   {"family", family(p)},
+                                   {"description", p.description},
+                                   {"aliases", p.aliases},
+                                   {"parameters", parameters}});
+  }
+  return json.dump(2) + "\n";
+}
+
+}  // namespace
+
+void add_list(CLI::App& app, int&) {
+  CLI::App* command = new_command(app, "Set-up", "list", "The integrators that come with shortfall.", {"list", "list --json"});
+  auto q = std::make_shared<Question>();
+  add_json(*command, *q);
+  command->callback([q] { write_output(q->json ? as_json() : as_text()); });
+}
+
+}  // namespace shortfall::cli

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <csignal>
+#include <cstdlib>
+#include <exception>
+#include <new>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/program/suggest.hpp"
+#include "cli/command.hpp"
+#include "cli/help.hpp"
+#include "cli/output.hpp"
+
+namespace {
+
+using namespace shortfall;
+using namespace shortfall::cli;
+
+int run(int argc, char** argv) {
+  CLI::App app;
+  int code = kDone;
+  describe(app);
+  // add_jump(app, code);
+  add_derive(app, code);
+  add_correct(app, code);
+  add_verify(app, code);
+  add_list(app, code);
+  add_show(app, code);
+  add_new(app, code);
+  add_doctor(app, code);
+
+  const std::string complaint = unknown_word(app, argc, argv);
+  if (!complaint.empty()) {
+    say("shortfall: " + complaint);
+    return kUsage;
+  }
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::CallForHelp&) {
+    write_output(help(app));
+  } catch (const CLI::CallForVersion& e) {
+    write_output(std::string(e.what()) + "\n");
+  } catch (const CLI::ParseError& e) {
+    say("shortfall: " + sentence(e));
+    return kUsage;
+  }
+  return code;
+}
+
+/// Every error that can leave a command, turned into one clear message and the documented exit code.
+int guarded(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const SyntaxError& e) {
+    say(e.what());
+    if (!e.context().empty()) say(e.context());
+    return kBadFile;
+  } catch (const BadInput& e) {
+    say(std::string("shortfall: ") + e.what());
+    return kUsage;
+  } catch (const Error& e) {  // Undefined, Unable: the question has no answer, or none that we can derive
+    say(std::string("shortfall: ") + e.what());
+    return kNotDerivable;
+  } catch (const OutputError& e) {
+    say(std::string("shortfall: ") + e.what());
+    return kInputOutput;
+  } catch (const std::bad_alloc&) {
+    say("shortfall: out of memory; ask for a lower degree or fewer points");
+    return kNotDerivable;
+  } catch (const std::exception& e) {
+    say(std::string("shortfall: a bug of ours, please report it: ") + e.what());
+    return kBug;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);
+  return guarded(argc, argv);
+}

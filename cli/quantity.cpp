@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "cli/quantity.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/program/suggest.hpp"
+
+namespace shortfall::cli {
+
+namespace {
+
+struct Scale {
+  std::string_view name;
+  Unit unit;
+  int numerator;
+  int denominator;
+};
+
+constexpr std::array<Scale, 10> kScales{{{"mm", Unit::length, 1, 1000},
+                                         {"cm", Unit::length, 1, 100},
+                                         {"km", Unit::length, 1000, 1},
+                                         {"px", Unit::length, 1, 1},
+                                         {"m", Unit::length, 1, 1},
+                                         {"ms", Unit::time, 1, 1000},
+                                         {"min", Unit::time, 60, 1},
+                                         {"s", Unit::time, 1, 1},
+                                         {"h", Unit::time, 3600, 1},
+                                         {"Hz", Unit::time, 1, 1}}};
+
+std::string known_units(Unit unit) {
+  std::string text;
+  for (const Scale& s : kScales)
+    if (s.unit == unit) text += (text.empty() ? "" : ", ") + std::string(s.name);
+  return text;
+}
+
+}  // namespace
+
+Rational quantity(std::string_view text, Unit unit, const std::string& what) {
+  const auto complain = [&](const std::string& why) { return BadInput(what + " '" + std::string(text.substr(0, 60)) + "': " + why); };
+  // The number ends where its last digit or point is; an e with an exponent belongs to it.
+  const std::size_t end = text.find_last_of("0123456789.");
+  if (end == std::string_view::npos) throw complain("this is not a number");
+  const std::string_view digits = text.substr(0, end + 1);
+  std::string_view suffix = text.substr(end + 1);
+  while (suffix.starts_with(' ')) suffix.remove_prefix(1);
+  Rational value;
+  try {
+    value = Rational::parse(digits);
+  } catch (const BadInput& e) {
+    throw complain(e.what());
+  }
+  if (suffix.empty()) return value;
+  if (suffix == "f" || suffix == "d") {
+    const double rounded = suffix == "f" ? value.to_float() : value.to_double();
+    if (!std::isfinite(rounded)) throw complain("it overflows its format");
+    return Rational::from_double(rounded);
+  }
+  for (const Scale& s : kScales) {
+    if (s.name != suffix || s.unit != unit) continue;
+    if (s.name != "Hz") return value * Rational(s.numerator, s.denominator);
+    if (value.is_zero()) throw complain("0 Hz is no step");
+    return Rational(1) / value;
+  }
+  if (unit == Unit::none) throw complain("it takes no unit, found '" + std::string(suffix) + "'");
+  throw complain("unknown unit '" + std::string(suffix) + "'; the units are " + known_units(unit));
+}
+
+Rational positive_quantity(std::string_view text, Unit unit, const std::string& what) {
+  const Rational value = quantity(text, unit, what);
+  if (value.sign() <= 0) throw BadInput(what + " '" + std::string(text.substr(0, 60)) + "': it must be greater than 0");
+  return value;
+}
+
+std::vector<Rational> sweep(std::string_view text, Unit unit, const std::string& what) {
+  std::vector<std::string_view> parts;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    std::size_t end = text.find(':', begin);
+    if (end == std::string_view::npos) end = text.size();
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  if (parts.size() == 1) return {positive_quantity(text, unit, what)};
+  if (parts.size() != 4 || (parts[2] != "lin" && parts[2] != "log"))
+    throw BadInput(what + " '" + std::string(text.substr(0, 60)) + "': a sweep is written FROM:TO:lin:COUNT or FROM:TO:log:COUNT");
+  const Rational from = positive_quantity(parts[0], unit, what);
+  const Rational to = positive_quantity(parts[1], unit, what);
+  std::int64_t count = 0;
+  if (!quantity(parts[3], Unit::none, what).fits_int64(count) || count < 2 || count > 100'000)
+    throw BadInput(what + ": a sweep has from 2 to 100000 points, not '" + std::string(parts[3].substr(0, 60)) + "'");
+  std::vector<Rational> points;
+  for (std::int64_t i = 0; i < count; ++i) {
+    const Rational share(i, count - 1);
+    if (parts[2] == "lin")
+      points.push_back(from + (to - from) * share);
+    else if (i == 0 || i == count - 1)
+      points.push_back(i == 0 ? from : to);
+    else
+      points.push_back(Rational::parse(
+          Rational::from_double(from.to_double() * std::pow(to.to_double() / from.to_double(), share.to_double())).significant(12)));
+  }
+  return points;
+}
+
+}  // namespace shortfall::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "analysis/motion/claims.hpp"
+#include "analysis/program/print.hpp"
+#include "cli/command.hpp"
+#include "cli/output.hpp"
+
+namespace shortfall::cli {
+
+namespace {
+
+int show(const Question& q) {
+  const Program program = q.program();
+  const std::vector<ClaimVerdict> verdicts = claims(program);
+  bool all_hold = true;
+  for (const ClaimVerdict& v : verdicts) all_hold = all_hold && v.holds;
+  if (q.json) {
+    nlohmann::ordered_json json{{"schema", "shortfall.show/1"}, {"integrator", program.name}, {"description", program.description},
+                                {"aliases", program.aliases}, {"sources", program.sources}, {"text", print(program)}};
+    json["claims"] = nlohmann::json::array();
+    for (const ClaimVerdict& v : verdicts) json["claims"].push_back({{"claim", v.claim}, {"holds", v.holds}, {"found", v.found}});
+    write_output(json.dump(2) + "\n");
+  } else {
+    std::string text = print(program);
+    if (!verdicts.empty()) text += "\n# What it claims, proved just now:\n";
+    for (const ClaimVerdict& v : verdicts)
+      text += "#   " + v.claim + (v.holds ? ": holds" : ": REFUTED, found " + v.found) + "\n";
+    write_output(text);
+  }
+  return all_hold ? kDone : kRefuted;
+}
+
+}  // namespace
+
+void add_show(CLI::App& app, int& code) {
+  CLI::App* command = new_command(app, "Set-up", "show", "One integrator: its file, and whether its claims hold.",
+                                  {"show symplectic-euler", "show my-own.integrator"});
+  auto q = std::make_shared<Question>();
+  add_integrator(*command, *q);
+  command->get_option("INTEGRATOR")->required();
+  add_json(*command, *q);
+  command->callback([q, &code] { code = show(*q); });
+}
+
+}  // namespace shortfall::cli

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "notebooks-export/code_language.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <set>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/program/print.hpp"
+
+namespace shortfall {
+
+namespace {
+
+struct Name {
+  std::string_view word;
+  Language language;
+};
+
+constexpr std::array<Name, 14> kNames{{{"csharp", Language::csharp},
+                                       {"c#", Language::csharp},
+                                       {"cs", Language::csharp},
+                                       {"cpp", Language::cpp},
+                                       {"c++", Language::cpp},
+                                       {"hpp", Language::cpp},
+                                       {"gdscript", Language::gdscript},
+                                       {"gd", Language::gdscript},
+                                       {"python", Language::python},
+                                       {"py", Language::python},
+                                       {"rust", Language::rust},
+                                       {"rs", Language::rust},
+                                       {"javascript", Language::javascript},
+                                       {"js", Language::javascript}}};
+
+/// Words that cannot be names in one of the languages, or that our templates use.
+const std::set<std::string, std::less<>> kTaken{
+    "and",      "as",       "assert",  "async",   "auto",     "await",   "base",     "bool",    "break",  "case",
+    "catch",    "char",     "check",   "class",   "const",    "continue", "crate",   "decimal", "def",    "default",
+    "del",      "delegate", "delete",  "do",      "double",   "dt",      "dyn",      "elif",    "else",   "enum",
+    "event",    "except",   "explicit", "export", "extends",  "extern",  "false",    "finally", "fixed",  "float",
+    "fn",       "for",      "frame",   "frames",  "from",     "func",    "function", "global",  "goto",   "gravity",
+    "height",   "if",       "impl",    "import",  "in",       "int",     "is",       "lambda",  "launch", "let",
+    "lock",     "long",     "loop",    "match",   "math",     "max",     "min",      "mod",     "move",   "mut",
+    "namespace", "new",     "none",    "not",     "null",     "object",  "operator", "or",      "out",    "override",
+    "params",   "pass",     "preload", "print",   "private",  "pub",     "public",   "raise",   "range",  "readonly",
+    "ref",      "register", "return",  "sbyte",   "sealed",   "self",    "short",    "signal",  "signed", "sizeof",
+    "static",   "step",     "string",  "struct",  "super",    "switch",  "template", "this",    "throw",  "top",
+    "trait",    "true",     "try",     "type",    "typedef",  "typeof",  "uint",     "ulong",   "union",  "unsafe",
+    "use",      "using",    "var",     "virtual", "void",     "volatile", "where",   "while",   "with",   "yield",
+    "correction", "tolerance", "substep", "abs",  "ceil",     "sqrt",    "jump",     "std"};
+
+std::vector<std::string> words_of(const std::string& name) {
+  std::vector<std::string> words(1);
+  for (const char c : name) {
+    if (c != '_')
+      words.back() += c;
+    else if (!words.back().empty())
+      words.emplace_back();
+  }
+  if (words.back().empty() && words.size() > 1) words.pop_back();
+  return words;
+}
+
+std::string capitalised(std::string word) {
+  if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
+  return word;
+}
+
+/// The decimal a rational is, when it is a short one.
+std::optional<std::string> short_decimal(const Rational& value) {
+  Rational scaled = value;
+  for (int places = 0; places <= 12; ++places, scaled *= 10)
+    if (scaled.is_integer()) return scaled.digits() <= 15 ? std::optional(value.decimal(places)) : std::nullopt;
+  return std::nullopt;
+}
+
+/// How tightly a piece of code binds: sum < product < sign < atom, the same in all six languages.
+enum Binding { kSum, kProduct, kSign, kAtom };
+
+struct Piece {
+  std::string text;
+  Binding binding;
+};
+
+class Writer {
+ public:
+  Writer(Language language, const std::map<std::string, std::string>& names) : language_(language), names_(names) {}
+
+  Piece of(const Expr& e) const {
+    using Op = Expression::Op;
+    switch (e->op) {
+      case Op::number: return of_number(e->value);
+      case Op::name: {
+        const auto found = names_.find(e->name);
+        return {found != names_.end() ? found->second : identifier(e->name, language_), kAtom};
+      }
+      case Op::negate: return {"-" + bound(e->operands[0], kAtom), kSign};
+      case Op::add: return {bound(e->operands[0], kSum) + " + " + bound(e->operands[1], kProduct), kSum};
+      case Op::subtract: return {bound(e->operands[0], kSum) + " - " + bound(e->operands[1], kProduct), kSum};
+      case Op::multiply: return {bound(e->operands[0], kProduct) + " * " + bound(e->operands[1], kSign), kProduct};
+      case Op::divide: return {bound(e->operands[0], kProduct) + " / " + bound(e->operands[1], kSign), kProduct};
+      case Op::power: return of_power(e);
+      case Op::force:
+      case Op::sum: break;
+    }
+    throw Unable("'" + print(e) + "' is no formula of scalars: we cannot write it in " + title(language_));
+  }
+
+ private:
+  std::string bound(const Expr& e, Binding least) const {
+    const Piece piece = of(e);
+    return piece.binding < least ? "(" + piece.text + ")" : piece.text;
+  }
+
+  std::string whole(const std::string& digits) const {
+    switch (language_) {
+      case Language::csharp:
+      case Language::cpp: return digits + (digits.find('.') == std::string::npos ? ".0f" : "f");
+      case Language::gdscript:
+      case Language::rust: return digits + (digits.find('.') == std::string::npos ? ".0" : "");
+      case Language::python:
+      case Language::javascript: break;
+    }
+    return digits;
+  }
+
+  Piece of_number(const Rational& value) const {
+    if (value.sign() < 0) {
+      const Piece size = of_number(-value);
+      return {"-" + size.text, size.binding == kProduct ? kProduct : kSign};
+    }
+    if (const auto decimal = short_decimal(value)) return {whole(*decimal), kAtom};
+    if (value.is_integer()) return {whole(value.str()), kAtom};
+    return {whole(value.numerator().str()) + " / " + whole(value.denominator().str()), kProduct};
+  }
+
+  /// x x x from the left, as a step that shortfall runs multiplies.
+  Piece of_power(const Expr& e) const {
+    constexpr std::int64_t kLargest = 32;
+    const Expr& raw = e->operands[1];
+    const Rational exponent = raw->op == Expression::Op::negate ? -raw->operands[0]->value : raw->value;
+    std::int64_t count = 0;
+    if (!exponent.fits_int64(count) || std::abs(count) > kLargest)
+      throw Unable("the power '" + print(e) + "' is written as a product only up to " + std::to_string(kLargest));
+    if (count == 0) return of_number(1);
+    const std::string base = bound(e->operands[0], kAtom);
+    std::string text = base;
+    for (std::int64_t k = 1; k < std::abs(count); ++k) text += " * " + base;
+    const bool single = std::abs(count) == 1;
+    if (count > 0) return {text, single ? kAtom : kProduct};
+    return {whole("1") + " / " + (single ? text : "(" + text + ")"), kProduct};
+  }
+
+  Language language_;
+  const std::map<std::string, std::string>& names_;
+};
+
+}  // namespace
+
+std::optional<Language> language_named(std::string_view word) {
+  std::string lower(word);
+  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  const auto found = std::ranges::find(kNames, lower, &Name::word);
+  if (found == kNames.end()) return std::nullopt;
+  return found->language;
+}
+
+const std::vector<std::string>& language_names() {
+  static const std::vector<std::string> names{"csharp", "cpp", "gdscript", "python", "rust", "javascript"};
+  return names;
+}
+
+std::string title(Language language) {
+  constexpr std::array<const char*, 6> kTitles{"C#", "C++", "GDScript", "Python", "Rust", "JavaScript"};
+  return kTitles[static_cast<std::size_t>(language)];
+}
+
+bool is_binary32(Language language) {
+  return language == Language::csharp || language == Language::cpp || language == Language::rust;
+}
+
+std::string identifier(const std::string& name, Language language) {
+  std::string text = name;
+  if (language == Language::csharp || language == Language::javascript) {
+    const std::vector<std::string> words = words_of(name);
+    text = words.front();
+    for (std::size_t i = 1; i < words.size(); ++i) text += capitalised(words[i]);
+  }
+  return kTaken.contains(text) ? text + "_" : text;
+}
+
+std::string constant_identifier(const std::string& name, Language language) {
+  if (language == Language::csharp || language == Language::cpp) {
+    std::string text = language == Language::cpp ? "k" : "";
+    for (const std::string& word : words_of(name)) text += capitalised(word);
+    return text;
+  }
+  std::string text;
+  for (const char c : name) text += static_cast<char>(std::toupper(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::string literal(const Rational& value, Language language) { return code(number(value), language); }
+
+std::string code(const Expr& e, Language language, const std::map<std::string, std::string>& names) {
+  return Writer(language, names).of(e).text;
+}
+
+}  // namespace shortfall

@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "notebooks-export/code_step.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <set>
+
+#include "analysis/algebra/error.hpp"
+
+namespace shortfall {
+
+namespace {
+
+/// What is left of statements: assignments, and repetitions of such.
+struct Line {
+  std::string name;  ///< assigned; empty for a repetition
+  Expr value;
+  int times = 0;
+  std::vector<Line> body;
+};
+using Lines = std::vector<Line>;
+
+Expr without_force(const Expr& e) {
+  if (e->op == Expression::Op::force) return name("a");
+  if (e->operands.empty()) return e;
+  auto copy = std::make_shared<Expression>(*e);
+  for (Expr& operand : copy->operands) operand = without_force(operand);
+  return copy;
+}
+
+/// Unknowns in an order in which each is known when it is needed.
+void settle(const Statement& solve, Lines& lines) {
+  std::vector<const Unknown*> left;
+  for (const Unknown& u : solve.unknowns) left.push_back(&u);
+  while (!left.empty()) {
+    const auto ready = std::ranges::find_if(left, [&](const Unknown* u) {
+      return std::ranges::none_of(left, [&](const Unknown* other) { return mentions(without_force(u->value), other->name); });
+    });
+    if (ready == left.end())
+      throw Unable("the stage '" + left.front()->name + "' stays implicit under a constant force; we cannot write its step");
+    lines.push_back({(*ready)->name, without_force((*ready)->value), 0, {}});
+    left.erase(ready);
+  }
+}
+
+Lines lines_of(const std::vector<Statement>& block, const Values& parameters) {
+  Lines lines;
+  for (const Statement& s : block) {
+    switch (s.kind) {
+      case Statement::Kind::assign: lines.push_back({s.name, without_force(s.value), 0, {}}); break;
+      case Statement::Kind::solve: settle(s, lines); break;
+      case Statement::Kind::substeps: {
+        std::int64_t times = 0;
+        (s.value->op == Expression::Op::name ? parameters.at(s.value->name) : s.value->value).fits_int64(times);
+        lines.push_back({"", {}, static_cast<int>(times), lines_of(s.body, parameters)});
+      }
+    }
+  }
+  return lines;
+}
+
+bool reads(const Lines& lines, const std::string& name) {
+  return std::ranges::any_of(lines, [&](const Line& l) {
+    return l.name.empty() ? reads(l.body, name) : mentions(l.value, name);
+  });
+}
+
+/// Removes assignments to names that nobody reads, until there is none; `kept` are read from outside.
+bool pruned(Lines& lines, const std::function<bool(const std::string&)>& is_read) {
+  bool changed = false;
+  for (Line& l : lines)
+    if (l.name.empty()) changed |= pruned(l.body, is_read);
+  changed |= std::erase_if(lines, [&](const Line& l) {
+               return l.name.empty() ? l.body.empty() : !is_read(l.name);
+             }) > 0;
+  return changed;
+}
+
+/// `finish` may assign x and v, but only for the reader: what it assigns gets names of its own.
+std::string rename_finish(Lines& finish, const std::set<std::string>& carried) {
+  std::map<std::string, std::string> seen;
+  for (Line& l : finish) {
+    if (l.name.empty()) throw Unable("substeps in `finish` cannot be written as code");
+    for (const auto& [from, to] : seen) l.value = replace(l.value, from, name(to));
+    if (carried.contains(l.name)) {
+      seen[l.name] = l.name + "_seen";
+      l.name += "_seen";
+    }
+  }
+  return seen.contains("x") ? seen["x"] : "x";
+}
+
+class Printer {
+ public:
+  explicit Printer(Language language) : language_(language) {}
+
+  std::map<std::string, std::string> names{{"h", "dt"}};
+  std::set<std::string> declared;
+
+  void print(const Lines& lines, const Lines& whole, int depth, std::vector<std::string>& out) {
+    for (const Line& l : lines) {
+      if (l.name.empty()) {
+        repeat(l, whole, depth, out);
+        continue;
+      }
+      const bool again = declared.contains(l.name) || loops(whole, l.name) > 1;
+      out.push_back(indent(depth) + assignment(l.name, code(l.value, language_, names), again));
+    }
+  }
+
+  std::string assignment(const std::string& name, const std::string& value, bool again) {
+    const std::string target = identifier(name, language_);
+    const bool first = declared.insert(name).second;
+    switch (language_) {
+      case Language::csharp: return (first ? "float " : "") + target + " = " + value + ";";
+      case Language::cpp: return (!first ? "" : again ? "float " : "const float ") + target + " = " + value + ";";
+      case Language::gdscript: return (first ? "var " : "") + target + (first ? " := " : " = ") + value;
+      case Language::python: return target + " = " + value;
+      case Language::rust:
+        return (!first ? target : (again ? "let mut " : "let ") + target + ": f32") + " = " + value + ";";
+      case Language::javascript: return (!first ? "" : again ? "let " : "const ") + target + " = " + value + ";";
+    }
+    return {};
+  }
+
+ private:
+  static int loops(const Lines& lines, const std::string& name) {
+    int count = 0;
+    for (const Line& l : lines) count += l.name.empty() ? 2 * loops(l.body, name) : l.name == name;
+    return count;
+  }
+
+  std::string indent(int depth) const {
+    if (language_ == Language::gdscript) return std::string(static_cast<std::size_t>(depth), '\t');
+    const bool two = language_ == Language::cpp || language_ == Language::javascript;
+    return std::string(static_cast<std::size_t>(depth) * (two ? 2 : 4), ' ');
+  }
+
+  void repeat(const Line& loop, const Lines& whole, int depth, std::vector<std::string>& out) {
+    for (const Line& l : loop.body)  // a local that lives on after the loop is declared before it
+      if (!l.name.empty() && !declared.contains(l.name))
+        out.push_back(indent(depth) + assignment(l.name, literal(0, language_), true));
+    const std::string count = std::to_string(loop.times);
+    const std::string short_step = nested_ == 0 ? "substep" : "substep" + std::to_string(nested_ + 1);
+    const std::string counter = nested_ == 0 ? "i" : "i" + std::to_string(nested_ + 1);
+    const std::string outer = names["h"];
+    const std::string before = assignment(short_step + "__", outer + " / " + literal(loop.times, language_), false);
+    std::string line = before;
+    const std::string mangled = identifier(short_step + "__", language_);
+    line.replace(line.find(mangled), mangled.size(), short_step);
+    out.push_back(indent(depth) + line);
+    switch (language_) {
+      case Language::csharp:
+      case Language::cpp:
+        out.push_back(indent(depth) + "for (int " + counter + " = 0; " + counter + " < " + count + "; ++" + counter + ") {");
+        break;
+      case Language::javascript:
+        out.push_back(indent(depth) + "for (let " + counter + " = 0; " + counter + " < " + count + "; ++" + counter + ") {");
+        break;
+      case Language::rust: out.push_back(indent(depth) + "for _ in 0.." + count + " {"); break;
+      case Language::gdscript: out.push_back(indent(depth) + "for _" + counter + " in range(" + count + "):"); break;
+      case Language::python: out.push_back(indent(depth) + "for _ in range(" + count + "):"); break;
+    }
+    names["h"] = short_step;
+    ++nested_;
+    print(loop.body, whole, depth + 1, out);
+    --nested_;
+    names["h"] = outer;
+    if (language_ != Language::gdscript && language_ != Language::python) out.push_back(indent(depth) + "}");
+  }
+
+  Language language_;
+  int nested_ = 0;
+};
+
+}  // namespace
+
+CodeStep code_step(const Program& program, const Values& parameters, Language language) {
+  Lines start = lines_of(program.start, parameters);
+  Lines step = lines_of(program.step, parameters);
+  Lines finish = lines_of(program.finish, parameters);
+  std::set<std::string> carried{"x", "v"};
+  for (const State& s : program.states) carried.insert(s.name);
+  const std::string position = rename_finish(finish, carried);
+
+  const auto is_read = [&](const std::string& n) {
+    return n == "x" || n == position || reads(start, n) || reads(step, n) || reads(finish, n);
+  };
+  while (pruned(finish, is_read) || pruned(step, is_read) || pruned(start, is_read)) {
+  }
+  for (const Lines* lines : {&start, &step, &finish})
+    if (reads(*lines, "t")) throw Unable("the step of " + program.name + " reads the clock; we cannot write it as code yet");
+
+  CodeStep result;
+  Printer printer(language);
+  for (const Parameter& p : program.parameters) {
+    if (!is_read(p.name)) continue;
+    printer.names[p.name] = constant_identifier(p.name, language);
+    result.parameters.push_back(p.name);
+  }
+  // Carried vectors and what `start` assigns live outside the loop over frames.
+  printer.declared = {"x", "v"};
+  Lines carried_lines = step;
+  for (const State& s : program.states) {
+    Line twice{s.name, number(0), 0, {}};
+    carried_lines.insert(carried_lines.end(), {twice, twice});
+  }
+  printer.print(start, carried_lines, 0, result.start);
+  printer.declared.insert(carried.begin(), carried.end());
+  Lines frame = step;
+  frame.insert(frame.end(), finish.begin(), finish.end());
+  printer.print(frame, frame, 0, result.step);
+  result.position = identifier(position, language);
+  return result;
+}
+
+}  // namespace shortfall

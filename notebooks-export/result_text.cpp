@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "notebooks-export/result_text.hpp"
+
+#include <algorithm>
+
+namespace shortfall {
+
+namespace {
+
+std::string force_words(const Derivation& d, Style style) {
+  if (d.degree == 0) return "constant acceleration a";
+  Expr f = name("f0");
+  for (int k = 1; k <= std::min(d.degree, 3); ++k) f = f + name("f" + std::to_string(k)) * power(name("t"), k);
+  std::string text = print(f, style);
+  if (d.degree > 3) text += " + ... + " + print(name("f" + std::to_string(d.degree)) * power(name("t"), d.degree), style);
+  return "force f(t) = " + text + " (acceleration)";
+}
+
+std::string shown(const Expr& e, Style style) {
+  std::string text = print(e, style);
+  // A terminal is not the place for a page of digits; --json and --latex have all of it.
+  if (style != Style::latex && static_cast<int>(text.size()) > kLongestFormula)
+    return "a formula of " + std::to_string(text.size()) + " characters (--json or --latex shows it)";
+  return text;
+}
+
+std::string left_of(const Expr& e, Style style) { return print(e, style); }
+
+void append_steps(std::string& text, const Derivation& d, Style style) {
+  std::size_t width = 0;
+  std::string last;
+  for (const DerivationStep& s : d.steps) width = std::max(width, left_of(s.left, Style::language).size());
+  for (const DerivationStep& s : d.steps) {
+    const std::string left = left_of(s.left, style);
+    if (!last.empty() && left != last) text += "\n";
+    const std::size_t plain = left_of(s.left, Style::language).size();
+    text += "  " + (left == last ? std::string(plain, ' ') : left) + std::string(width - plain, ' ') + " = " + shown(s.right, style) + "\n";
+    text += "  " + std::string(width, ' ') + "   " + (style == Style::unicode ? "↑ " : "^ ") + s.why + (s.proved ? "" : "  [NOT PROVED]") + "\n";
+    last = left;
+  }
+}
+
+void append_corrections(std::string& text, const CorrectionOption& o, Style style) {
+  for (const Correction& c : o.corrections)
+    text += "    " + std::string(kind_name(c.kind)) + ": " + c.target + " += " + shown(c.add, style) +
+            (c.series != print(c.add) ? "   (" + c.series + ")" : "") + "\n        " + c.reason + "\n";
+}
+
+std::string letters_note(const Derivation& d) {
+  std::string text = d.substeps > 1 ? "h is the frame; it is stepped in " + std::to_string(d.substeps) + " substeps of h/" + std::to_string(d.substeps) + ". " : "";
+  return text + "n steps, t = n h. Shortfall = exact - computed: positive means too low. All formulas are exact.\n";
+}
+
+}  // namespace
+
+std::string line(const std::string& left, const Expr& right, Style style) { return left + " = " + shown(right, style); }
+
+std::string as_text(const CorrectionKit& kit, const Derivation& d, Style style) {
+  if (!kit.needed) return "Nothing to correct: position and velocity are exact for this force at every step.\n";
+  std::string text;
+  for (const CorrectionOption& o : kit.options) {
+    text += "  " + o.name + ": " + (o.exists ? "exact for every n" : "does not exist") + "\n";
+    if (o.exists)
+      append_corrections(text, o, style);
+    else
+      text += "    " + o.obstruction + "\n";
+    text += "    proof: " + o.proof + "\n";
+  }
+  if (d.degree > 0) text += "  (f' is the derivative of the force by time; launches take it at t = 0, read-outs at t = n h, terms at the beginning of the step)\n";
+  return text;
+}
+
+std::string as_text(const Derivation& d, const CorrectionKit* kit, Style style) {
+  std::string text = d.integrator + ", " + force_words(d, style) + "\n" + letters_note(d) + "\n";
+  text += "  " + line("position  x_n      ", d.position, style) + "\n";
+  text += "  " + line("velocity  v_n      ", d.velocity, style) + "\n";
+  text += "  " + line("shortfall x(t)-x_n ", d.shortfall_position, style) + "\n";
+  text += "  " + line("shortfall v(t)-v_n ", d.shortfall_velocity, style) + "\n";
+  if (!d.steps.empty()) {
+    text += "\nDerivation\n";
+    append_steps(text, d, style);
+  }
+  if (kit) text += "\nCorrections (what to add)\n" + as_text(*kit, d, style);
+  text += "\nProof\n";
+  if (d.proof.proved)
+    text += "  Both sides of each line satisfy one linear recurrence in n, and agree, with all letters symbolic, at as many consecutive n\n"
+            "  as its order: " + std::to_string(d.proof.points) + " for the result" +
+            (d.steps.empty() ? "" : ", " + std::to_string(d.steps.front().points) + " for each line") + ". Hence they agree for every n.\n";
+  else
+    text += "  NOT PROVED: the closed form differs from stepping. This is a bug of ours; please report it.\n";
+  text += "  Checked besides: " + std::to_string(d.check.trials) + " random cases stepped in rational numbers for " + std::to_string(d.check.steps) +
+          " steps: " + (d.check.agrees ? "equal" : "DIFFERENT") + ".\n";
+  text += "Assumed: ";
+  for (std::size_t i = 0; i < d.assumptions.size(); ++i) text += (i ? "; " : "") + d.assumptions[i];
+  return text + ".\n";
+}
+
+std::string as_latex(const Derivation& d, const CorrectionKit* kit) {
+  std::string text = "% " + d.integrator + ", " + force_words(d, Style::language) + "; needs amsmath\n";
+  text += "\\begin{align*}\n";
+  std::string last;
+  for (const DerivationStep& s : d.steps) {
+    const std::string left = print(s.left, Style::latex);
+    text += "  " + (left == last ? std::string() : left) + " &= " + print(s.right, Style::latex) + " && \\text{" + s.why + "} \\\\\n";
+    last = left;
+  }
+  text += "\\end{align*}\n";
+  if (!kit) return text;
+  if (!kit->needed) return text + "Nothing to correct: position and velocity are exact.\n";
+  for (const CorrectionOption& o : kit->options) {
+    text += "\\paragraph{" + o.name + "} ";
+    if (!o.exists) {
+      text += "does not exist.\n";
+      continue;
+    }
+    text += "exact for every $n$:\n\\begin{align*}\n";
+    for (const Correction& c : o.corrections)
+      text += "  \\text{" + std::string(kind_name(c.kind)) + "}\\colon\\quad " + print(name(c.target), Style::latex) + " &\\mathrel{+}= " +
+              print(c.add, Style::latex) + " \\\\\n";
+    text += "\\end{align*}\n";
+  }
+  return text;
+}
+
+}  // namespace shortfall

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+
+#include "analysis/correction/kit.hpp"
+#include "analysis/motion/derivation.hpp"
+#include "analysis/program/print.hpp"
+
+namespace shortfall {
+
+/// A derivation as a person reads it: the answer first, then the steps with reasons, the corrections, the proofs.
+std::string as_text(const Derivation& derivation, const CorrectionKit* kit, Style style);
+
+/// The correction kit alone.
+std::string as_text(const CorrectionKit& kit, const Derivation& derivation, Style style);
+
+/// A derivation as LaTeX: a section with align environments (amsmath).
+std::string as_latex(const Derivation& derivation, const CorrectionKit* kit);
+
+/// A formula for a terminal or a file, with its quantity in front: "x(n) = x₀ + v₀ t + ½ a t²".
+std::string line(const std::string& left, const Expr& right, Style style);
+
+/// How many lines of formulas a terminal should show before the rest is left to --json or --latex.
+inline constexpr int kLongestFormula = 2000;
+
+}  // namespace shortfall
