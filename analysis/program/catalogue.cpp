@@ -24,7 +24,8 @@ std::string folded(const std::string& text) {
 const std::vector<Program>& catalogue() {
   static const std::vector<Program> programs = [] {
     std::vector<Program> all;
-    for (const CatalogueFile& file : catalogue_files()) all.push_back(parse(file.text, std::string(file.path)));
+    for (const CatalogueFile& file : catalogue_files())
+      all.push_back(parse(file.text, std::string(file.path)));
     return all;
   }();
   return programs;
@@ -46,7 +47,8 @@ Program find_integrator(const std::string& word) {
       if (folded(alias) == wanted) return p;
   }
   const std::string near = nearest(word, names);
-  throw BadInput("unknown integrator '" + word + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?") +
+  throw BadInput("unknown integrator '" + word + "'" +
+                 (near.empty() ? "" : "; did you mean '" + near + "'?") +
                  " (shortfall list shows all; a file ends in .integrator)");
 }
 

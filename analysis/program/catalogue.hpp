@@ -14,7 +14,8 @@ const std::vector<Program>& catalogue();
 /// The family of a catalogue integrator, from its folder: "euler", "verlet", ...
 std::string family(const Program& program);
 
-/// The integrator a user means: a name or an alias of the catalogue (case, blanks and hyphens do not matter), or the path of a file.
+/// The integrator a user means: a name or an alias of the catalogue (case, blanks and hyphens do not matter),
+/// or the path of a file.
 ///
 /// throws  BadInput  for an unknown name, with a suggestion; SyntaxError from a file
 Program find_integrator(const std::string& word);

@@ -8,7 +8,8 @@ namespace shortfall {
 
 /// One .integrator file of the catalogue, as it lay in integrators/ when the library was built.
 struct CatalogueFile {
-  std::string_view path;  ///< relative to integrators/, with forward slashes: "euler/symplectic-euler.integrator"
+  /// Relative to integrators/, with forward slashes: "euler/symplectic-euler.integrator".
+  std::string_view path;
   std::string_view text;
 };
 

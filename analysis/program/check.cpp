@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/program/check.hpp"
 
-#include "analysis/program/suggest.hpp"
+#include <algorithm>
 
 namespace shortfall {
 
@@ -12,109 +12,13 @@ namespace {
 constexpr Type kScalar(Dimension d) { return {Sort::scalar, d}; }
 constexpr Type kVector(Dimension d) { return {Sort::vector, d}; }
 
-class Typing {
- public:
-  Typing(const Names& names, const Source& source) : names_(names), source_(source) {}
-
-  Type of(const Expr& e) const {
-    switch (e->op) {
-      case Op::number: return {Sort::scalar, kPure, e->value.is_zero()};
-      case Op::name: return of_name(e);
-      case Op::negate: return of(e->operands[0]);
-      case Op::add:
-      case Op::subtract: return of_sum(e);
-      case Op::multiply: return of_product(e);
-      case Op::divide: return of_quotient(e);
-      case Op::power: return of_power(e);
-      case Op::force: return of_force(e);
-      case Op::sum: break;
-    }
-    throw source_.error(e->place, "a sum cannot stand here");
-  }
-
- private:
-  Type of_name(const Expr& e) const {
-    const auto found = names_.known.find(e->name);
-    if (found != names_.known.end()) {
-      if (!found->second.assigned) throw source_.error(e->place, "'" + e->name + "' is used before it is assigned");
-      return found->second.type;
-    }
-    if (names_.later.contains(e->name)) throw source_.error(e->place, "'" + e->name + "' is used before it is assigned");
-    if (e->name == "a" && names_.force)
-      throw source_.error(e->place, "a is the force: write a(x, v, t), the acceleration at a position, velocity and time");
-    std::vector<std::string> candidates;
-    for (const auto& [name, entry] : names_.known)
-      if (entry.assigned) candidates.push_back(name);
-    if (names_.force) candidates.push_back("a(x, v, t)");
-    throw source_.error(e->place, "unknown name '" + e->name + "'" + did_you_mean(e->name, candidates));
-  }
-
-  Type of_sum(const Expr& e) const {
-    const Type left = of(e->operands[0]);
-    const Type right = of(e->operands[1]);
-    if (left.zero) return right;
-    if (right.zero || left.same_as(right)) return left;
-    if (e->op == Op::add)
-      throw source_.error(e->place, "cannot add " + left.str() + " and " + right.str());
-    throw source_.error(e->place, "cannot subtract " + right.str() + " from " + left.str());
-  }
-
-  Type of_product(const Expr& e) const {
-    const Type left = of(e->operands[0]);
-    const Type right = of(e->operands[1]);
-    if (left.sort == Sort::vector && right.sort == Sort::vector)
-      throw source_.error(e->place, "cannot multiply two vectors, " + left.str() + " and " + right.str());
-    const Sort sort = left.sort == Sort::vector || right.sort == Sort::vector ? Sort::vector : Sort::scalar;
-    return {sort, left.dimension * right.dimension, left.zero || right.zero};
-  }
-
-  Type of_quotient(const Expr& e) const {
-    const Type left = of(e->operands[0]);
-    const Type right = of(e->operands[1]);
-    if (right.zero) throw source_.error(e->place, "division by zero");
-    if (right.sort == Sort::vector)
-      throw source_.error(e->place, "cannot divide by a vector, " + right.str());
-    return {left.sort, left.dimension / right.dimension, left.zero};
-  }
-
-  Type of_power(const Expr& e) const {
-    const Type base = of(e->operands[0]);
-    if (base.sort == Sort::vector) throw source_.error(e->place, "a vector has no powers");
-    const Expr& exponent = e->operands[1];
-    std::int64_t value = 0;
-    const bool minus = exponent->op == Op::negate;
-    const Expr& digits = minus ? exponent->operands[0] : exponent;
-    if (digits->op == Op::number && digits->value.fits_int64(value) && value <= 1000) {
-      if (minus && base.zero) throw source_.error(e->place, "division by zero: a negative power of 0");
-      return kScalar(base.dimension.pow(static_cast<int>(minus ? -value : value)));
-    }
-    if (names_.symbolic_powers && base.dimension == kPure && of(exponent).same_as(kScalar(kPure))) return base;
-    throw source_.error(exponent->place, "an exponent is a whole number of at most 1000");
-  }
-
-  Type of_force(const Expr& e) const {
-    if (!names_.force) throw source_.error(e->place, "the force cannot be called here");
-    static const Type wanted[] = {kVector(kLength), kVector(kVelocity), kScalar(kTime)};
-    static const char* const what[] = {"position", "velocity", "time"};
-    for (int i = 0; i < 3; ++i) {
-      const Type given = of(e->operands[i]);
-      if (!given.zero && !given.same_as(wanted[i]))
-        throw source_.error(e->operands[i]->place, std::string("a takes a ") + what[i] + " here, " + wanted[i].str() +
-                                                       "; found " + given.str());
-    }
-    return kVector(kAcceleration);
-  }
-
-  const Names& names_;
-  const Source& source_;
-};
-
 class Checker {
  public:
   Checker(const Program& program, const Source& source) : program_(program), source_(source) {}
 
   void check_all() {
     check_parameters();
+    if (program_.tableau) check_tableau(*program_.tableau);
     Names names = with_parameters();
     names.declare("h", kScalar(kTime));
     names.declare("t", kScalar(kTime));
@@ -128,15 +32,18 @@ class Checker {
     check_statements(program_.start, at_start);
     for (const State& state : program_.states) {
       if (!at_start.known[state.name].assigned)
-        throw source_.error(state.place, "state '" + state.name + "' has no first value: assign it in a start block");
+        throw source_.error(state.place,
+                            "state '" + state.name + "' has no first value: assign it in a start block");
       names.known[state.name].assigned = true;
     }
+    leave_hints(names, at_start, "start");
     Names at_step = names;
     moves_x_ = false;
     check_statements(program_.step, at_step);
     if (!moves_x_)
       throw source_.error(program_.step.empty() ? Place{1, 1} : program_.step.front().place,
                           "the step never assigns x: the body would not move");
+    leave_hints(names, at_step, "step");
     check_statements(program_.finish, names);
     for (const Claim& claim : program_.claims) check_claim(claim);
   }
@@ -148,26 +55,64 @@ class Checker {
     return names;
   }
 
+  /// What the blocks below a block say of its locals.
+  static void leave_hints(Names& names, const Names& after, const std::string& block) {
+    for (const auto& [name, entry] : after.known)
+      if (!names.known.contains(name))
+        names.hints[name] = "'" + name + "' is a local of the " + block + " block" +
+                            (entry.type.sort == Sort::vector ? "; what is kept is declared: state " + name +
+                                                                   " : " + entry.type.dimension.str()
+                                                             : "");
+  }
+
   void refuse_taken(const Names& names, const std::string& name, Place place) const {
-    if (name == "a" || name == "n") throw source_.error(place, "'" + name + "' has a meaning of its own; choose another name");
+    if (name == "a" || name == "n")
+      throw source_.error(place, "'" + name + "' has a meaning of its own; choose another name");
     if (names.known.contains(name)) throw source_.error(place, "the name '" + name + "' is already taken");
+  }
+
+  /// Whether a formula about n steps knows the name already.
+  static bool is_of_formulas(const std::string& name) {
+    static const std::set<std::string> words{"x", "v", "h", "t", "x0", "v0"};
+    return words.contains(name) || (name.size() > 1 && name[0] == 'f' &&
+                                    name.find_first_not_of("0123456789", 1) == std::string::npos);
   }
 
   void check_parameters() const {
     Names names;
     names.force = false;
+    names.allowed = "; a default may use numbers and the parameters declared above it";
     for (const Parameter& p : program_.parameters) {
-      if (p.name == "x" || p.name == "v" || p.name == "h" || p.name == "t" || p.name == "x0" || p.name == "v0")
+      if (is_of_formulas(p.name))
         throw source_.error(p.place, "'" + p.name + "' has a meaning of its own; choose another name");
       refuse_taken(names, p.name, p.place);
-      const Type type = Typing(names, source_).of(p.fallback);
+      const Judgement fallback = judged(p.fallback, names, source_);
       // A plain number takes the declared dimension: `param c : 1/T = 0.5`.
-      const bool bare = type.same_as(kScalar(kPure)) && names_in(p.fallback) == 0;
-      if (!bare && !type.same_as(kScalar(p.dimension)))
-        throw source_.error(p.fallback->place, "parameter '" + p.name + "' is a scalar " + p.dimension.bracketed() +
-                                                   ", its default is a " + type.str());
-      names.declare(p.name, kScalar(p.dimension));
+      const bool bare = fallback.type.same_as(kScalar(kPure)) && names_in(p.fallback) == 0;
+      if (!bare && !fallback.type.same_as(kScalar(p.dimension)))
+        throw source_.error(beginning(p.fallback), "parameter '" + p.name + "' is a " +
+                                                       kScalar(p.dimension).str() + ", its default is a " +
+                                                       fallback.type.str());
+      names.known[p.name] = {kScalar(p.dimension), true, 1, fallback.value};
     }
+  }
+
+  void check_tableau(const Tableau& tableau) const {
+    Names names = with_parameters();
+    names.force = false;
+    names.allowed = "; an entry of a tableau is made of numbers and parameters";
+    const auto check_row = [&](const std::vector<Expr>& row) {
+      for (const Expr& entry : row) {
+        const Type type = type_of(entry, names, source_);
+        if (type.dimension != kPure)
+          throw source_.error(beginning(entry),
+                              "an entry of a tableau has no dimension; found " + type.str());
+      }
+    };
+    check_row(tableau.c);
+    for (const auto& row : tableau.a) check_row(row);
+    check_row(tableau.b);
+    check_row(tableau.embedded);
   }
 
   static int names_in(const Expr& e) {
@@ -181,7 +126,7 @@ class Checker {
       if (s.kind == Statement::Kind::assign) names.later.insert(s.name);
     for (const Statement& s : statements) {
       if (s.kind == Statement::Kind::assign) {
-        assign(s.name, s.place, Typing(names, source_).of(s.value), names);
+        assign(s, names);
       } else if (s.kind == Statement::Kind::solve) {
         check_solve(s, names);
       } else {
@@ -191,33 +136,41 @@ class Checker {
     }
   }
 
-  void assign(const std::string& name, Place place, Type type, Names& names) {
-    if (name == "h" || name == "t" || name == "a" || name == "n" || program_.parameter(name))
-      throw source_.error(place, "'" + name + "' cannot be assigned" +
-                                     (name == "t" ? "; t advances by h when the step ends" : ""));
-    if (name == "x") moves_x_ = true;
-    auto found = names.known.find(name);
-    if (found == names.known.end()) {
-      type.zero = false;
-      names.declare(name, type);
-      return;
-    }
-    if (!type.zero && !type.same_as(found->second.type))
-      throw source_.error(place, "'" + name + "' is a " + found->second.type.str() + ", but is assigned a " + type.str());
-    found->second.assigned = true;
+  void refuse_unassignable(const std::string& name, Place place) const {
+    const char* why = nullptr;
+    if (name == "h") why = "; it is the length of the step";
+    if (name == "t") why = "; t advances by h when the step ends";
+    if (name == "a") why = "; it is the force, a(x, v, t)";
+    if (name == "n") why = "; it is the number of steps";
+    if (program_.parameter(name)) why = "; it is a parameter";
+    if (why) throw source_.error(place, "'" + name + "' cannot be assigned" + why);
+  }
+
+  void assign(const Statement& s, Names& names) {
+    refuse_unassignable(s.name, s.place);
+    Judgement value = judged(s.value, names, source_);
+    if (s.name == "x") moves_x_ = true;
+    const auto found = names.known.find(s.name);
+    if (found != names.known.end() && !value.type.zero && !value.type.same_as(found->second.type))
+      throw source_.error(s.place, "'" + s.name + "' is a " + found->second.type.str() +
+                                       ", but is assigned a " + value.type.str());
+    if (found != names.known.end()) value.type = found->second.type;
+    value.type.zero = false;
+    names.known[s.name] = {value.type, true, std::max(1, value.growth), {}};
   }
 
   void check_solve(const Statement& s, Names& names) {
     Names inside = names;
     for (const Unknown& u : s.unknowns) {
       if (inside.known.contains(u.name) || u.name == "a" || u.name == "n")
-        throw source_.error(u.place, "the name '" + u.name + "' is already taken; an unknown needs a new one");
+        throw source_.error(u.place,
+                            "the name '" + u.name + "' is already taken; an unknown needs a new one");
       inside.declare(u.name, kVector(u.dimension));
     }
     for (const Unknown& u : s.unknowns) {
-      const Type type = Typing(inside, source_).of(u.value);
+      const Type type = type_of(u.value, inside, source_);
       if (!type.zero && !type.same_as(kVector(u.dimension)))
-        throw source_.error(u.place, "unknown '" + u.name + "' is a vector " + u.dimension.bracketed() +
+        throw source_.error(u.place, "unknown '" + u.name + "' is declared a " + kVector(u.dimension).str() +
                                          ", but equals a " + type.str());
     }
     for (const Unknown& u : s.unknowns) names.declare(u.name, kVector(u.dimension));
@@ -226,26 +179,31 @@ class Checker {
   void check_count(const Expr& count, const Names& names) const {
     std::int64_t value = 0;
     if (count->op == Op::number && count->value.fits_int64(value) && value >= 1 && value <= 10'000) return;
-    if (count->op == Op::name && program_.parameter(count->name)) {
-      if (Typing(names, source_).of(count).dimension != kPure)
-        throw source_.error(count->place, "a number of substeps has no dimension");
-      return;
-    }
-    throw source_.error(count->place, "substeps takes a whole number from 1 to 10000 or a parameter");
+    const bool is_parameter = count->op == Op::name && program_.parameter(count->name);
+    if (!is_parameter)
+      throw source_.error(
+          beginning(count),
+          "substeps takes a whole number from 1 to 10000 or a parameter" +
+              (count->op == Op::name ? "; '" + count->name + "' is no parameter" : std::string()));
+    if (type_of(count, names, source_).dimension != kPure)
+      throw source_.error(count->place, "a number of substeps has no dimension");
   }
 
   void check_claim(const Claim& claim) const {
     if (claim.word == "exact") {
       std::int64_t degree = -1;
       if (claim.value->op != Op::number || !claim.value->value.fits_int64(degree) || degree > 1000)
-        throw source_.error(claim.value->place, "exact takes the degree of a polynomial, a whole number from 0 to 1000");
+        throw source_.error(beginning(claim.value),
+                            "exact takes the degree of a polynomial, a whole number from 0 to 1000");
       return;
     }
     Names names = formula_names(program_, 0);
-    const Type type = Typing(names, source_).of(claim.value);
+    names.allowed = "; a claim may use a, x0, v0, h, n, t and the parameters";
+    const Type type = type_of(claim.value, names, source_);
     const Type wanted = kVector(claim.word == "shortfall" ? kLength : kVelocity);
     if (!type.zero && !type.same_as(wanted))
-      throw source_.error(claim.value->place, claim.word + " is a " + wanted.str() + ", found a " + type.str());
+      throw source_.error(beginning(claim.value),
+                          "a " + claim.word + " is a " + wanted.str() + ", found a " + type.str());
   }
 
   const Program& program_;
@@ -254,8 +212,6 @@ class Checker {
 };
 
 }  // namespace
-
-Type type_of(const Expr& e, const Names& names, const Source& source) { return Typing(names, source).of(e); }
 
 void check(const Program& program, const Source& source) { Checker(program, source).check_all(); }
 

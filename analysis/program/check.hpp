@@ -1,33 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
-#include <set>
-#include <string>
-
 #include "analysis/program/program.hpp"
 #include "analysis/program/source.hpp"
+#include "analysis/program/typing.hpp"
 
 namespace shortfall {
-
-/// What is known of the names at a point of a program.
-struct Names {
-  struct Entry {
-    Type type;
-    bool assigned = true;
-  };
-  std::map<std::string, Entry> known;
-  std::set<std::string> later;   ///< locals that the same block assigns somewhere, for a better message
-  bool force = true;             ///< whether a(x, v, t) may be called
-  bool symbolic_powers = false;  ///< whether an exponent may be a name, as in r^n
-
-  void declare(const std::string& name, Type type, bool assigned = true) { known[name] = {type, assigned}; }
-};
-
-/// The type of an expression.
-///
-/// throws  SyntaxError  at an unknown or unassigned name, or where sorts or dimensions disagree
-Type type_of(const Expr& e, const Names& names, const Source& source);
 
 /// Checks a whole program: every name assigned before use, every sort and dimension right.
 ///

@@ -37,7 +37,8 @@ Expr operator+(Expr a, Expr b) {
   if (is_number(a, 0)) return b;
   if (is_number(b, 0)) return a;
   if (b->op == Op::negate) return binary(Op::subtract, std::move(a), b->operands[0]);
-  if (b->op == Op::number && b->value.sign() < 0) return binary(Op::subtract, std::move(a), number(-b->value));
+  if (b->op == Op::number && b->value.sign() < 0)
+    return binary(Op::subtract, std::move(a), number(-b->value));
   return binary(Op::add, std::move(a), std::move(b));
 }
 
@@ -82,6 +83,11 @@ Expr replace(const Expr& e, const std::string& from, const Expr& to) {
   Expression copy = *e;
   for (Expr& operand : copy.operands) operand = replace(operand, from, to);
   return std::make_shared<const Expression>(std::move(copy));
+}
+
+Place beginning(const Expr& e) {
+  const bool inside = e->op != Op::force && e->op != Op::negate && !e->operands.empty();
+  return inside ? beginning(e->operands[0]) : e->place;
 }
 
 bool mentions(const Expr& e, const std::string& name) {

@@ -49,7 +49,8 @@ Expr force(Expr x, Expr v, Expr t, Place place = {});
 /// sum of body for index = from .. to
 Expr sum(std::string index, Expr from, Expr to, Expr body);
 
-/// These tidy as they build: 0 and 1 vanish, a minus sign comes to the front. For formulas, never for a step's arithmetic.
+/// These tidy as they build: 0 and 1 vanish, a minus sign comes to the front. For formulas, never for a
+/// step's arithmetic.
 Expr operator+(Expr a, Expr b);
 Expr operator-(Expr a, Expr b);
 Expr operator*(Expr a, Expr b);
@@ -60,6 +61,8 @@ bool is_number(const Expr& e, const Rational& value);
 bool same(const Expr& a, const Expr& b);
 /// The expression with every name `from` replaced.
 Expr replace(const Expr& e, const std::string& from, const Expr& to);
+/// The place of its first value: an expression's own place is that of its operator.
+Place beginning(const Expr& e);
 /// Whether a name occurs in it.
 bool mentions(const Expr& e, const std::string& name);
 

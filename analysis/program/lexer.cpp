@@ -14,18 +14,23 @@ bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
 
 /// Characters that people paste from books, and what the language writes instead.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 12> kFancy{{{"×", "*"},
-                                                                               {"·", "*"},
-                                                                               {"⋅", "*"},
-                                                                               {"÷", "/"},
-                                                                               {"−", "-"},
-                                                                               {"–", "-"},
-                                                                               {"½", "1/2"},
-                                                                               {"¼", "1/4"},
-                                                                               {"²", "^2"},
-                                                                               {"³", "^3"},
-                                                                               {"ω", "w"},
-                                                                               {"Δ", "h for the step"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kFancy{{{"×", "*"},
+                                                                                {"·", "*"},
+                                                                                {"⋅", "*"},
+                                                                                {"÷", "/"},
+                                                                                {"−", "-"},
+                                                                                {"–", "-"},
+                                                                                {"½", "1/2"},
+                                                                                {"¼", "1/4"},
+                                                                                {"²", "^2"},
+                                                                                {"³", "^3"},
+                                                                                {"ω", "w"},
+                                                                                {"θ", "theta"},
+                                                                                {"β", "beta"},
+                                                                                {"γ", "gamma"},
+                                                                                {"[", "("},
+                                                                                {"]", ")"},
+                                                                                {"Δ", "h for the step"}}};
 
 struct Reader {
   const Source& source;
@@ -75,7 +80,9 @@ struct Reader {
     const std::string_view rest = std::string_view(text()).substr(i);
     for (const auto& [fancy, plain] : kFancy)
       if (rest.starts_with(fancy))
-        throw source.error(here(), "'" + std::string(fancy) + "' is not in the language; write " + std::string(plain));
+        throw source.error(
+            here(), "'" + std::string(fancy) + "' is not in the language; write " + std::string(plain));
+    if (rest[0] == ';') throw source.error(here(), "a statement ends with its line; leave out the ;");
     std::size_t length = 1;
     while (length < rest.size() && (static_cast<unsigned char>(rest[length]) & 0xC0) == 0x80) ++length;
     throw source.error(here(), "'" + std::string(rest.substr(0, length)) + "' is not in the language");
@@ -100,7 +107,9 @@ struct Reader {
           open.pop_back();
         }
         if (c == '*' && i + 1 < text().size() && text()[i + 1] == '*')
-          throw source.error(here(), "a power is written with ^");
+          throw source.error(here(), "a power is written with ^, not with **");
+        if (c == '/' && i + 1 < text().size() && text()[i + 1] == '/')
+          throw source.error(here(), "a comment begins with #");
         push(Token::Kind::sign, 1);
       } else {
         stranger();
@@ -109,18 +118,48 @@ struct Reader {
   }
 };
 
+/// Whether a line is the head of a block, and so the statement above it has ended.
+bool opens_block(const std::string& line) {
+  const std::size_t begin = line.find_first_not_of(" \t");
+  if (begin == std::string::npos) return false;
+  const std::size_t end = line.find_first_of(" \t#", begin);
+  const std::string word = line.substr(begin, end == std::string::npos ? end : end - begin);
+  return word == "start" || word == "step" || word == "finish" || word == "tableau" || word == "expect";
+}
+
+/// Refuses a parenthesis that is never closed, before anything in the lines below it can be taken for the
+/// mistake: none of = : & { } | stands inside parentheses, nor does the head of a block.
+void refuse_unclosed(const Source& source, int first, std::size_t byte) {
+  std::vector<Place> open;
+  for (int line = first; line <= source.line_count(); ++line, byte = 0) {
+    const std::string& text = source.line(line);
+    bool ended = line > first && opens_block(text);
+    char last = ' ';
+    for (std::size_t i = byte; i < text.size() && text[i] != '#' && !ended; ++i) {
+      const char c = text[i];
+      if (c == '(') open.push_back(source.place(line, i));
+      if (c == ')' && open.empty()) return;
+      if (c == ')') open.pop_back();
+      ended = line > first && !open.empty() && std::string_view("=:&{}|").find(c) != std::string_view::npos;
+      if (c != ' ' && c != '\t') last = c;
+    }
+    if (ended) break;
+    if (open.empty() && last != '&') return;
+  }
+  if (!open.empty()) throw source.error(open.back(), "this ( is never closed");
+}
+
 }  // namespace
 
 std::vector<Token> tokens(const Source& source, int& line, std::size_t byte) {
+  refuse_unclosed(source, line, byte);
   Reader reader{source, line, byte};
   for (;;) {
     reader.read_line();
     const bool and_more = !reader.result.empty() && reader.result.back().text == "&";
     if (reader.open.empty() && !and_more) break;
-    if (line == source.line_count()) {
-      if (!reader.open.empty()) throw source.error(reader.open.back(), "this ( is never closed");
+    if (line == source.line_count())
       throw source.error(reader.result.back().place, "nothing follows the final '&'");
-    }
     ++line;
     reader.i = 0;
   }
@@ -131,7 +170,8 @@ std::vector<Token> tokens(const Source& source, int& line, std::size_t byte) {
 std::vector<Token> tokens_between(const Source& source, int line, std::size_t begin, std::size_t end) {
   Reader reader{source, line, begin, end};
   reader.read_line();
-  if (!reader.open.empty()) throw source.error(reader.open.back(), "this ( is not closed in its entry; an entry has no blanks");
+  if (!reader.open.empty())
+    throw source.error(reader.open.back(), "this ( is not closed in its entry; an entry has no blanks");
   reader.result.push_back({Token::Kind::end, "", source.place(line, end)});
   return std::move(reader.result);
 }

@@ -17,8 +17,10 @@ struct Token {
 
 /// The tokens from a byte of a line to the end of the statement, closed by a token of kind `end`.
 ///
-/// A statement goes on to the next line while a parenthesis is open or after a final '&'. `line` is left at the last line read.
-/// throws  SyntaxError  at a character that is not in the language, a product without *, a parenthesis that is never closed
+/// A statement goes on to the next line while a parenthesis is open or after a final '&'. `line` is left at
+/// the last line read.
+///
+/// throws  SyntaxError  at a character that is not in the language, at 2h, at a parenthesis never closed
 std::vector<Token> tokens(const Source& source, int& line, std::size_t byte);
 
 /// The tokens of a part of one line, from a byte up to another.

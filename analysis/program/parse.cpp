@@ -2,8 +2,8 @@
 #include "analysis/program/parse.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <fstream>
-#include <sstream>
 
 #include "analysis/program/suggest.hpp"
 #include "analysis/program/tableau.hpp"
@@ -17,6 +17,9 @@ const std::vector<std::string> kHeadWords{"alias", "source", "param", "state"};
 const std::vector<std::string> kBlockWords{"start", "step", "finish", "tableau", "expect"};
 const std::vector<std::string> kClaimWords{"exact", "shortfall", "shortfall-velocity"};
 
+constexpr std::size_t kLongestName = 80;
+constexpr std::size_t kLongestRead = 1'000'001;  // one byte more than a source may have, whatever the file is
+
 bool is_one_of(const std::string& word, const std::vector<std::string>& words) {
   return std::ranges::find(words, word) != words.end();
 }
@@ -28,10 +31,10 @@ class FileParser {
   Program parsed() {
     while (next_line()) read_line();
     if (statements_.size() > 1) throw source_.error(opened_, "this substeps { is never closed");
-    if (program_.name.empty())
-      throw source_.error({1, 1}, "an integrator file begins with: integrator NAME");
+    if (program_.name.empty()) throw source_.error({1, 1}, "an integrator file begins with: integrator NAME");
     if (!seen_.contains("step") && !program_.tableau)
       throw source_.error({source_.line_count(), 1}, "the integrator has no step (and no tableau)");
+    if (!program_.tableau && program_.step.empty()) throw source_.error(step_, "the step block is empty");
     if (program_.tableau) lower_tableau(program_, source_);
     check(program_, source_);
     return std::move(program_);
@@ -62,7 +65,9 @@ class FileParser {
   std::string word() const {
     const std::string& text = source_.line(line_);
     std::size_t end = byte_;
-    while (end < text.size() && (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '-' || text[end] == '_')) ++end;
+    while (end < text.size() &&
+           (std::isalnum(static_cast<unsigned char>(text[end])) || text[end] == '-' || text[end] == '_'))
+      ++end;
     return text.substr(byte_, end - byte_);
   }
 
@@ -81,20 +86,23 @@ class FileParser {
 
   TokenReader reader() { return TokenReader(source_, tokens(source_, line_, byte_)); }
 
-  void end_of_line(const std::string& after) {
-    if (byte_ < source_.line(line_).size() && source_.line(line_)[byte_] != '#')
-      throw error("nothing may follow '" + after + "' on its line");
+  bool at_end_of_line() const {
+    return byte_ >= source_.line(line_).size() || source_.line(line_)[byte_] == '#';
   }
 
   void read_line() {
     const std::string first = word();
     if (first == "integrator") return read_name();
-    if (program_.name.empty())
-      throw error("an integrator file begins with: integrator NAME");
-    const bool assigns = source_.line(line_).find('=', byte_) != std::string::npos;
-    if (is_one_of(first, kBlockWords) && !(assigns && first != "tableau" && first != "expect" && next_is_equals(first)))
-      return open_block(first);
+    if (program_.name.empty()) {
+      const bool misspelt = !nearest(first, {"integrator"}).empty();
+      throw error(misspelt ? "unknown word '" + first + "'; did you mean 'integrator'?"
+                           : "an integrator file begins with: integrator NAME");
+    }
+    const bool assigned = next_is_equals(first);
+    if (is_one_of(first, kBlockWords) && !assigned) return open_block(first);
     if (block_.empty()) return read_head(first);
+    if (is_one_of(first, kHeadWords) && !assigned)
+      throw error("'" + first + "' stands at the head of the file, before the blocks");
     if (block_ == "tableau") return read_row(first);
     if (block_ == "expect") return read_claim(first);
     read_statement(*statements_.back(), first);
@@ -107,19 +115,36 @@ class FileParser {
   }
 
   void read_name() {
-    if (!program_.name.empty()) throw error("a file holds one integrator; '" + program_.name + "' was begun above");
+    if (!program_.name.empty())
+      throw error("a file holds one integrator; '" + program_.name + "' was begun above");
     skip(10);
     const std::string name = rest("a name after integrator");
-    const std::string bare = name.substr(0, name.find_first_of(" \t#"));
-    const bool good = bare[0] >= 'a' && bare[0] <= 'z' && std::ranges::all_of(bare, [](char c) {
-                        return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
-                      });
-    if (!good || bare.size() > 80)
-      throw error("a name is made of lower-case letters, digits and hyphens, begins with a letter and has at most 80 characters; found '" +
-                  bare.substr(0, 80) + "'");
-    skip(bare.size());
-    end_of_line(bare);
-    program_.name = bare;
+    const std::string bare = name.substr(0, name.find('#'));
+    const std::string plain = as_name(bare);
+    const std::string rule =
+        "a name is made of lower-case letters, digits and hyphens and begins with a letter";
+    if (plain.empty()) throw error(rule + "; found '" + bare.substr(0, 80) + "'");
+    if (plain.size() > kLongestName)
+      throw error("a name has at most " + std::to_string(kLongestName) + " characters");
+    if (plain != bare.substr(0, bare.find_last_not_of(" \t") + 1)) throw error(rule + ": " + plain);
+    program_.name = plain;
+  }
+
+  /// What the writer of a name may have meant: lower case, blanks and underscores as hyphens; "" when it is
+  /// beyond repair.
+  static std::string as_name(const std::string& text) {
+    std::string result;
+    for (const char c : text) {
+      if (std::isalnum(static_cast<unsigned char>(c)))
+        result += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+      else if (c == ' ' || c == '\t' || c == '_' || c == '-')
+        result += '-';
+      else
+        return "";
+    }
+    while (result.ends_with('-')) result.pop_back();
+    const bool begins_well = !result.empty() && std::isalpha(static_cast<unsigned char>(result[0]));
+    return begins_well ? result : "";
   }
 
   void read_head(const std::string& first) {
@@ -132,11 +157,14 @@ class FileParser {
     if (first == "param" || first == "state") {
       skip(first.size());
       TokenReader in = reader();
-      const Token name = in.expect_name("the name of a " + std::string(first == "param" ? "parameter" : "state"));
+      const Token name =
+          in.expect_name("the name of a " + std::string(first == "param" ? "parameter" : "state"));
       const bool typed = in.take_if(":");
       if (first == "state") {
         if (!typed) throw in.error("a state has a dimension: state " + name.text + " : L/T^2");
         program_.states.push_back({name.text, in.dimension(), name.place});
+        if (in.at("="))
+          throw in.error("the first value of a state stands in a start block: " + name.text + " = ...");
         in.expect_end("the dimension");
       } else {
         const Dimension dimension = typed ? in.dimension() : kPure;
@@ -149,20 +177,25 @@ class FileParser {
     }
     std::vector<std::string> words = kHeadWords;
     words.insert(words.end(), kBlockWords.begin(), kBlockWords.end());
-    if (first.empty() || next_is_equals(first))
+    if (first.empty() || next_is_equals(first) || first == "solve" || first == "substeps")
       throw source_.error(place, "a statement stands in a start, step or finish block; none is open");
+    if (is_one_of(first, kClaimWords))
+      throw source_.error(place, "'" + first + "' is a claim and stands in an expect block; none is open");
     throw source_.error(place, "unknown word '" + first + "'" + did_you_mean(first, words));
   }
 
   void open_block(const std::string& block) {
-    if (statements_.size() > 1) throw error("substeps { is not closed before '" + block + "'");
+    if (statements_.size() > 1)
+      throw source_.error(opened_, "this substeps { is not closed before '" + block + "'");
     if (!seen_.insert(block).second) throw error("there is already a " + block + " block");
     if ((block == "tableau" && seen_.contains("step")) || (block == "step" && seen_.contains("tableau")))
       throw error("an integrator has a step or a tableau, not both");
     const Place place = here();
     skip(block.size());
-    end_of_line(block);
+    if (!at_end_of_line())
+      throw error("'" + block + "' stands alone on its line; what belongs to it follows below");
     block_ = block;
+    if (block == "step") step_ = place;
     statements_.clear();
     if (block == "start") statements_.push_back(&program_.start);
     if (block == "step") statements_.push_back(&program_.step);
@@ -174,21 +207,24 @@ class FileParser {
   }
 
   void read_statement(std::vector<Statement>& block, const std::string& first) {
-    if (is_one_of(first, kHeadWords) && !next_is_equals(first))
-      throw error("'" + first + "' stands at the head of the file, before the blocks");
+    if (is_one_of(first, kClaimWords) && !next_is_equals(first))
+      throw error("'" + first + "' is a claim and stands in an expect block");
     TokenReader in = reader();
     if (in.at("}")) return close_substeps(in);
     if (first == "solve" && !next_is_equals(first)) return read_solve(block, in);
     if (first == "substeps" && !next_is_equals(first)) return open_substeps(block, in);
     const Token name = in.expect_name("a statement NAME = EXPRESSION");
+    if (in.at_end() && !nearest(name.text, kBlockWords).empty())
+      throw error("unknown word '" + name.text + "'" + did_you_mean(name.text, kBlockWords));
     for (const char* sign : {"+", "-", "*", "/"})
       if (in.at(sign)) {
         in.take();
-        if (in.at("=")) throw in.error("write it out: " + name.text + " = " + name.text + " " + sign + " ...");
+        if (in.at("="))
+          throw in.error("write it out: " + name.text + " = " + name.text + " " + sign + " ...");
         throw in.error("expected '=' after '" + name.text + "', found '" + sign + "'");
       }
     in.expect("=", "after '" + name.text + "'");
-    if (in.at("=")) throw in.error("one = is enough");
+    if (in.at("=")) throw in.error("an assignment is written with one =");
     Statement s;
     s.name = name.text;
     s.place = name.place;
@@ -203,7 +239,11 @@ class FileParser {
     s.place = in.take().place;
     do {
       const Token name = in.expect_name("the name of the unknown after solve");
-      if (!in.at(":")) throw in.error("an unknown has a dimension: solve " + name.text + " : L/T^2 = ...");
+      if (!in.at(":")) {
+        const bool first = s.unknowns.empty();
+        throw in.error((first ? "an unknown has a dimension: solve " : "after & stands another unknown: ") +
+                       name.text + " : L/T^2 = ...");
+      }
       in.take();
       const Dimension dimension = in.dimension();
       in.expect("=", "after the dimension");
@@ -224,7 +264,7 @@ class FileParser {
     block.push_back(std::move(s));
     opened_ = block.back().place;
     statements_.push_back(&block.back().body);
-    in.expect_end("'{'; the statements stand on lines of their own");
+    if (!in.at_end()) throw in.error("what follows '{' stands on lines of its own");
   }
 
   void close_substeps(TokenReader& in) {
@@ -239,13 +279,17 @@ class FileParser {
   }
 
   void read_claim(const std::string& first) {
+    if (first.empty() || next_is_equals(first))
+      throw error("a statement stands in a start, step or finish block, not in expect");
     if (!is_one_of(first, kClaimWords))
       throw error("unknown claim '" + first + "'" + did_you_mean(first, kClaimWords) +
-                  (nearest(first, kClaimWords).empty() ? "; the claims are exact, shortfall, shortfall-velocity" : ""));
+                  (nearest(first, kClaimWords).empty()
+                       ? "; the claims are exact, shortfall, shortfall-velocity"
+                       : ""));
     const Place place = here();
     skip(first.size());
     TokenReader in = reader();
-    if (in.at_end()) throw in.error("expected a value after " + first);
+    if (in.at_end()) throw in.error("expected a value after '" + first + "', found the end of the line");
     program_.claims.push_back({first, in.expression(), place});
     in.expect_end("the claim");
   }
@@ -255,7 +299,8 @@ class FileParser {
   std::set<std::string> seen_;
   std::string block_;
   std::vector<std::vector<Statement>*> statements_;
-  Place opened_;
+  Place opened_;  ///< the substeps that is open
+  Place step_;
   int line_ = 0;
   std::size_t byte_ = 0;
 };
@@ -270,10 +315,12 @@ Program parse(std::string_view text, const std::string& file) {
 
 Program parse_file(const std::string& path) {
   std::ifstream in(path, std::ios::binary);
-  std::ostringstream text;
-  if (in) text << in.rdbuf();
-  if (!in || in.bad()) throw BadInput("cannot read the file '" + path + "'");
-  return parse(text.str(), path);
+  std::string text(kLongestRead, '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  const bool read = in.gcount() > 0 || in.eof();
+  if (!read || in.bad()) throw BadInput("cannot read the file '" + path + "'");
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return parse(text, path);
 }
 
 Expr parse_formula(std::string_view text, const std::string& origin, const Names& names, const Type& wanted) {
@@ -284,7 +331,7 @@ Expr parse_formula(std::string_view text, const std::string& origin, const Names
   in.expect_end("the formula");
   const Type type = type_of(e, names, source);
   if (!type.zero && !type.same_as(wanted))
-    throw source.error({1, 1}, "the formula is a " + type.str() + ", expected a " + wanted.str());
+    throw source.error(beginning(e), "the formula is a " + type.str() + ", expected a " + wanted.str());
   return e;
 }
 

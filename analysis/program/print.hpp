@@ -16,7 +16,8 @@ enum class Style {
 /// An expression as text, with as few parentheses as its structure allows.
 std::string print(const Expr& e, Style style = Style::language);
 
-/// An expression of a program in the language: its numbers stay decimals, 0.1 and not 1/10, which may round differently.
+/// An expression of a program in the language: its numbers stay decimals, 0.1 and not 1/10, which may round
+/// differently.
 std::string print_decimals(const Expr& e);
 
 /// The integrator as a file: parse(print(p)) is the same program.

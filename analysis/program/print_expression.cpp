@@ -34,11 +34,13 @@ std::string subscript(std::string_view digits) {
   return in_characters(digits, {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉", "₋"});
 }
 
-const std::map<std::string, std::string> kVulgar{{"1/2", "½"}, {"1/3", "⅓"}, {"2/3", "⅔"}, {"1/4", "¼"}, {"3/4", "¾"}, {"1/5", "⅕"},
-                                                 {"1/6", "⅙"}, {"5/6", "⅚"}, {"1/8", "⅛"}, {"3/8", "⅜"}, {"5/8", "⅝"}, {"7/8", "⅞"}};
+const std::map<std::string, std::string> kVulgar{{"1/2", "½"}, {"1/3", "⅓"}, {"2/3", "⅔"}, {"1/4", "¼"},
+                                                 {"3/4", "¾"}, {"1/5", "⅕"}, {"1/6", "⅙"}, {"5/6", "⅚"},
+                                                 {"1/8", "⅛"}, {"3/8", "⅜"}, {"5/8", "⅝"}, {"7/8", "⅞"}};
 
-const std::map<std::string, std::string> kGreek{{"alpha", "α"}, {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"rho", "ρ"},
-                                                {"theta", "θ"}, {"lambda", "λ"}, {"xi", "ξ"}, {"chi", "χ"}, {"omega", "ω"}, {"mu", "μ"}};
+const std::map<std::string, std::string> kGreek{
+    {"alpha", "α"},  {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"rho", "ρ"}, {"theta", "θ"},
+    {"lambda", "λ"}, {"xi", "ξ"},   {"chi", "χ"},   {"omega", "ω"}, {"mu", "μ"}};
 
 class Printer {
  public:
@@ -46,29 +48,44 @@ class Printer {
 
   Piece of(const Expr& e) const {
     switch (e->op) {
-      case Op::number: return of_number(e->value);
-      case Op::name: return {of_name(e->name), kAtom};
-      case Op::negate: return {minus() + bound(e->operands[0], kProduct, true), kSign};
-      case Op::add: return {bound(e->operands[0], kSum) + " + " + bound(e->operands[1], kProduct, true), kSum};
+      case Op::number:
+        return of_number(e->value);
+      case Op::name:
+        return {of_name(e->name), kAtom};
+      case Op::negate:
+        return {minus() + bound(e->operands[0], kProduct, true), kSign};
+      case Op::add:
+        return {bound(e->operands[0], kSum) + " + " + bound(e->operands[1], kProduct, true), kSum};
       case Op::subtract:
-        return {bound(e->operands[0], kSum) + (style_ == Style::unicode ? " − " : " - ") + bound(e->operands[1], kProduct, true), kSum};
-      case Op::multiply: return {bound(e->operands[0], kProduct) + times() + bound(e->operands[1], kSign, true), kProduct};
-      case Op::divide: return of_quotient(e);
-      case Op::power: return of_power(e);
+        return {bound(e->operands[0], kSum) + (style_ == Style::unicode ? " − " : " - ") +
+                    bound(e->operands[1], kProduct, true),
+                kSum};
+      case Op::multiply:
+        return {bound(e->operands[0], kProduct) + times() + bound(e->operands[1], kSign, true), kProduct};
+      case Op::divide:
+        return of_quotient(e);
+      case Op::power:
+        return of_power(e);
       case Op::force:
-        return {"a" + open() + of(e->operands[0]).text + ", " + of(e->operands[1]).text + ", " + of(e->operands[2]).text + close(), kAtom};
-      case Op::sum: return of_sum(e);
+        return {"a" + open() + of(e->operands[0]).text + ", " + of(e->operands[1]).text + ", " +
+                    of(e->operands[2]).text + close(),
+                kAtom};
+      case Op::sum:
+        return of_sum(e);
     }
     return {"", kAtom};
   }
 
  private:
   std::string minus() const { return style_ == Style::unicode ? "−" : "-"; }
-  std::string times() const { return style_ == Style::unicode ? " " : style_ == Style::latex ? " \\, " : "*"; }
+  std::string times() const {
+    return style_ == Style::unicode ? " " : style_ == Style::latex ? " \\, " : "*";
+  }
   std::string open() const { return style_ == Style::latex ? "\\left(" : "("; }
   std::string close() const { return style_ == Style::latex ? "\\right)" : ")"; }
 
-  /// The operand, in parentheses when it binds more loosely than its place asks for. To the right of an operator a sign needs them too.
+  /// The operand, in parentheses when it binds more loosely than its place asks for. To the right of an
+  /// operator a sign needs them too.
   std::string bound(const Expr& e, Binding least, bool right = false) const {
     const Piece piece = of(e);
     const bool signed_right = right && piece.binding == kSign;
@@ -83,12 +100,14 @@ class Printer {
     const Binding binding = value.sign() < 0 ? kSign : size.is_integer() ? kAtom : kProduct;
     if (size.is_integer()) return {sign + size.str(), binding};
     if (style_ == Style::latex)
-      return {sign + "\\frac{" + size.numerator().str() + "}{" + size.denominator().str() + "}", value.sign() < 0 ? kSign : kAtom};
+      return {sign + "\\frac{" + size.numerator().str() + "}{" + size.denominator().str() + "}",
+              value.sign() < 0 ? kSign : kAtom};
     if (style_ == Style::unicode) {
       const auto vulgar = kVulgar.find(size.str());
       if (vulgar != kVulgar.end()) return {sign + vulgar->second, value.sign() < 0 ? kSign : kAtom};
     }
-    // A decimal of a program stays one: 0.1 must not come back as the division 1/10, which may round differently.
+    // A decimal of a program stays one: 0.1 must not come back as the division 1/10, which may round
+    // differently.
     if (const std::string decimal = exact_decimal(size); decimals_ && !decimal.empty())
       return {sign + decimal, value.sign() < 0 ? kSign : kAtom};
     return {sign + size.str(), binding};
@@ -108,7 +127,8 @@ class Printer {
     while (digits > 0 && name[digits - 1] >= '0' && name[digits - 1] <= '9') --digits;
     std::string stem = name.substr(0, digits);
     std::string index = name.substr(digits);
-    if (const std::size_t bar = stem.find('_'); bar != std::string::npos && bar + 1 < stem.size() && bar > 0) {
+    if (const std::size_t bar = stem.find('_');
+        bar != std::string::npos && bar + 1 < stem.size() && bar > 0) {
       index = stem.substr(bar + 1) + index;
       stem = stem.substr(0, bar);
     } else if (stem.ends_with('_')) {
@@ -116,8 +136,10 @@ class Printer {
     }
     const auto greek = kGreek.find(stem);
     if (style_ == Style::latex) {
-      if (greek != kGreek.end()) stem = "\\" + stem;
-      else if (stem.size() > 1) stem = "\\mathrm{" + stem + "}";
+      if (greek != kGreek.end())
+        stem = "\\" + stem;
+      else if (stem.size() > 1)
+        stem = "\\mathrm{" + stem + "}";
       if (index.empty()) return stem;
       const bool words = index.size() > 1 && (index[0] < '0' || index[0] > '9');
       return stem + "_{" + (words ? "\\mathrm{" + index + "}" : index) + "}";
@@ -151,9 +173,12 @@ class Printer {
     const std::string to = of(e->operands[1]).text;
     const std::string body = bound(e->operands[2], kProduct, true);
     switch (style_) {
-      case Style::latex: return {"\\sum_{" + e->name + "=" + from + "}^{" + to + "} " + body, kProduct};
-      case Style::unicode: return {"Σ[" + e->name + "=" + from + ".." + to + "] " + body, kProduct};
-      case Style::language: break;
+      case Style::latex:
+        return {"\\sum_{" + e->name + "=" + from + "}^{" + to + "} " + body, kProduct};
+      case Style::unicode:
+        return {"Σ[" + e->name + "=" + from + ".." + to + "] " + body, kProduct};
+      case Style::language:
+        break;
     }
     return {"sum(" + e->name + ", " + from + ", " + to + ", " + of(e->operands[2]).text + ")", kAtom};
   }

@@ -9,18 +9,22 @@ std::string statements(const std::vector<Statement>& block, const std::string& i
   std::string text;
   for (const Statement& s : block) {
     switch (s.kind) {
-      case Statement::Kind::assign: text += indent + s.name + " = " + print_decimals(s.value) + "\n"; break;
+      case Statement::Kind::assign:
+        text += indent + s.name + " = " + print_decimals(s.value) + "\n";
+        break;
       case Statement::Kind::solve: {
         text += indent + "solve ";
         for (std::size_t i = 0; i < s.unknowns.size(); ++i) {
           const Unknown& u = s.unknowns[i];
-          text += (i ? " &\n" + indent + "      " : "") + u.name + " : " + u.dimension.str() + " = " + print_decimals(u.value);
+          text += (i ? " &\n" + indent + "      " : "") + u.name + " : " + u.dimension.str() + " = " +
+                  print_decimals(u.value);
         }
         text += "\n";
         break;
       }
       case Statement::Kind::substeps:
-        text += indent + "substeps " + print_decimals(s.value) + " {\n" + statements(s.body, indent + "  ") + indent + "}\n";
+        text += indent + "substeps " + print_decimals(s.value) + " {\n" + statements(s.body, indent + "  ") +
+                indent + "}\n";
         break;
     }
   }
@@ -66,7 +70,8 @@ std::string print(const Program& p) {
   for (const std::string& alias : p.aliases) text += "  alias  " + alias + "\n";
   for (const std::string& source : p.sources) text += "  source " + source + "\n";
   for (const Parameter& parameter : p.parameters)
-    text += "  param  " + parameter.name + (parameter.dimension == kPure ? "" : " : " + parameter.dimension.str()) + " = " +
+    text += "  param  " + parameter.name +
+            (parameter.dimension == kPure ? "" : " : " + parameter.dimension.str()) + " = " +
             print_decimals(parameter.fallback) + "\n";
   for (const State& state : p.states) text += "  state  " + state.name + " : " + state.dimension.str() + "\n";
   if (!p.start.empty()) text += "\nstart\n" + statements(p.start, "  ");
@@ -78,7 +83,8 @@ std::string print(const Program& p) {
 }
 
 bool same(const Program& a, const Program& b) {
-  // Printing forgets nothing but places, so equal texts are equal programs; the lowered steps are compared as well.
+  // Printing forgets nothing but places, so equal texts are equal programs; the lowered steps are compared as
+  // well.
   return print(a) == print(b) && same_statements(a.step, b.step);
 }
 

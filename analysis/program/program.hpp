@@ -58,7 +58,8 @@ struct Claim {
   Place place;
 };
 
-/// An integrator, written down once.  What `parse` returns has been checked: sorts, dimensions, every name assigned before use.
+/// An integrator, written down once.  What `parse` returns has been checked: sorts, dimensions, every name
+/// assigned before use.
 struct Program {
   std::string name;
   std::string description;  ///< the comment above `integrator`, lines joined by '\n'

@@ -13,12 +13,14 @@ namespace shortfall {
 
 /// Runs a tape, unchanged, in any problem.
 ///
-/// A problem says what the values are and what the force is. It has types Scalar and Vector with the usual operators and
+/// A problem says what the values are and what the force is. It has types Scalar and Vector with the usual
+/// operators and
 ///   Scalar number(const Rational&)
-///   std::optional<Scalar> parameter(int index, bool derived)    empty: the default is computed
+///   std::optional<Scalar> parameter(int index, bool derived)
 ///   Vector zero()
 ///   Vector acceleration(const Vector& x, const Vector& v, const Scalar& t)
-///   void solve(std::vector<Vector>& unknowns, F&& f)             unknowns hold a first guess, then satisfy unknowns = f(unknowns)
+///   void solve(std::vector<Vector>& unknowns, F&& f)
+/// where the unknowns of `solve` hold a first guess, then satisfy unknowns = f(unknowns).
 template <class Problem>
 class Run {
  public:
@@ -26,7 +28,10 @@ class Run {
   using Vector = typename Problem::Vector;
 
   Run(const Tape& tape, Problem& problem, Scalar h)
-      : tape_(tape), problem_(problem), scalars_(tape.scalar_registers), vectors_(tape.vector_registers, problem.zero()) {
+      : tape_(tape),
+        problem_(problem),
+        scalars_(tape.scalar_registers),
+        vectors_(tape.vector_registers, problem.zero()) {
     scalars_[Tape::kStep] = std::move(h);
     scalars_[Tape::kTimeRegister] = problem_.number(0);
     for (const Rational& n : tape.numbers) numbers_.push_back(problem_.number(n));
@@ -61,7 +66,8 @@ class Run {
   /// Position and velocity as `finish` reports them; the state stays as it is.
   std::pair<Vector, Vector> read_out() {
     if (tape_.finish.empty()) return {state(0), state(1)};
-    const std::vector<Vector> kept(vectors_.begin(), vectors_.begin() + static_cast<long>(tape_.states.size()));
+    const std::vector<Vector> kept(vectors_.begin(),
+                                   vectors_.begin() + static_cast<long>(tape_.states.size()));
     execute(tape_.finish);
     std::pair<Vector, Vector> result{state(0), state(1)};
     std::copy(kept.begin(), kept.end(), vectors_.begin());
@@ -85,28 +91,65 @@ class Run {
     auto& s = scalars_;
     auto& v = vectors_;
     switch (i.kind) {
-      case Kind::number: s[i.out] = numbers_[i.a]; break;
-      case Kind::scalar_copy: s[i.out] = s[i.a]; break;
-      case Kind::scalar_negate: s[i.out] = -s[i.a]; break;
-      case Kind::scalar_add: s[i.out] = s[i.a] + s[i.b]; break;
-      case Kind::scalar_subtract: s[i.out] = s[i.a] - s[i.b]; break;
-      case Kind::scalar_multiply: s[i.out] = s[i.a] * s[i.b]; break;
-      case Kind::scalar_divide: s[i.out] = s[i.a] / s[i.b]; break;
-      case Kind::scalar_power: s[i.out] = powered(s[i.a], i.b); break;
-      case Kind::zero: v[i.out] = problem_.zero(); break;
-      case Kind::vector_copy: v[i.out] = v[i.a]; break;
-      case Kind::vector_negate: v[i.out] = -v[i.a]; break;
-      case Kind::vector_add: v[i.out] = v[i.a] + v[i.b]; break;
-      case Kind::vector_subtract: v[i.out] = v[i.a] - v[i.b]; break;
-      case Kind::scale: v[i.out] = s[i.a] * v[i.b]; break;
-      case Kind::vector_divide: v[i.out] = v[i.a] / s[i.b]; break;
-      case Kind::force: v[i.out] = problem_.acceleration(v[i.a], v[i.b], s[i.c]); break;
-      case Kind::solve: solve(tape_.solves[i.a]); break;
-      case Kind::repeat: repeat(tape_.repeats[i.a]); break;
+      case Kind::number:
+        s[i.out] = numbers_[i.a];
+        break;
+      case Kind::scalar_copy:
+        s[i.out] = s[i.a];
+        break;
+      case Kind::scalar_negate:
+        s[i.out] = -s[i.a];
+        break;
+      case Kind::scalar_add:
+        s[i.out] = s[i.a] + s[i.b];
+        break;
+      case Kind::scalar_subtract:
+        s[i.out] = s[i.a] - s[i.b];
+        break;
+      case Kind::scalar_multiply:
+        s[i.out] = s[i.a] * s[i.b];
+        break;
+      case Kind::scalar_divide:
+        s[i.out] = s[i.a] / s[i.b];
+        break;
+      case Kind::scalar_power:
+        s[i.out] = powered(s[i.a], i.b);
+        break;
+      case Kind::zero:
+        v[i.out] = problem_.zero();
+        break;
+      case Kind::vector_copy:
+        v[i.out] = v[i.a];
+        break;
+      case Kind::vector_negate:
+        v[i.out] = -v[i.a];
+        break;
+      case Kind::vector_add:
+        v[i.out] = v[i.a] + v[i.b];
+        break;
+      case Kind::vector_subtract:
+        v[i.out] = v[i.a] - v[i.b];
+        break;
+      case Kind::scale:
+        v[i.out] = s[i.a] * v[i.b];
+        break;
+      case Kind::vector_divide:
+        v[i.out] = v[i.a] / s[i.b];
+        break;
+      case Kind::force:
+        v[i.out] = problem_.acceleration(v[i.a], v[i.b], s[i.c]);
+        break;
+      case Kind::solve:
+        solve(tape_.solves[i.a]);
+        break;
+      case Kind::repeat:
+        repeat(tape_.repeats[i.a]);
+        break;
     }
   }
 
-  /// By multiplications from the left, ((h*h)*h)*h, as the writers of code print it; a negative exponent divides 1 at the end.
+  /// By multiplications from the left, ((h*h)*h)*h, as the writers of code print it; a negative exponent
+  /// divides 1 at the end.
   Scalar powered(const Scalar& base, int exponent) {
     if (exponent == 0) return problem_.number(1);
     Scalar result = base;

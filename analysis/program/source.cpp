@@ -1,23 +1,44 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/program/source.hpp"
 
+#include <algorithm>
+
 namespace shortfall {
 
 namespace {
 
 constexpr std::size_t kLongestFile = 1'000'000;
 constexpr std::size_t kLongestLine = 10'000;
+constexpr std::size_t kLongestShown = 400;  // a longer line and its caret would only fill the screen
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
 /// The byte after the UTF-8 character that begins at i; 0 when there is none that is well formed.
 std::size_t after_character(std::string_view text, std::size_t i) {
   const auto lead = static_cast<unsigned char>(text[i]);
-  const std::size_t length = lead < 0x80 ? 1 : lead < 0xC2 ? 0 : lead < 0xE0 ? 2 : lead < 0xF0 ? 3 : lead < 0xF5 ? 4 : 0;
+  const std::size_t length = lead < 0x80   ? 1
+                             : lead < 0xC2 ? 0
+                             : lead < 0xE0 ? 2
+                             : lead < 0xF0 ? 3
+                             : lead < 0xF5 ? 4
+                                           : 0;
   if (length == 0 || i + length > text.size()) return 0;
   for (std::size_t k = 1; k < length; ++k)
     if (!continues(text[i + k])) return 0;
   return i + length;
+}
+
+/// Tabs are blanks; other control characters would reach a terminal through messages.
+bool is_control(char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == '\x7F'; }
+
+int characters(std::string_view text) {
+  return static_cast<int>(std::ranges::count_if(text, [](char c) { return !continues(c); }));
+}
+
+std::string in_hexadecimal(char c) {
+  static constexpr std::string_view kDigits = "0123456789abcdef";
+  const auto byte = static_cast<unsigned char>(c);
+  return std::string("0x") + kDigits[byte / 16] + kDigits[byte % 16];
 }
 
 }  // namespace
@@ -35,8 +56,10 @@ Source::Source(std::string file, std::string_view text) : file_(std::move(file))
     if (line.size() > kLongestLine)
       throw SyntaxError(file_, number, 1, "the line is longer than 10,000 bytes");
     for (std::size_t i = 0; i < line.size();) {
-      const std::size_t next = line[i] == '\0' ? 0 : after_character(line, i);
-      if (next == 0) throw SyntaxError(file_, number, static_cast<int>(i) + 1, "this is not a text file (UTF-8)");
+      const std::size_t next = is_control(line[i]) ? 0 : after_character(line, i);
+      if (next == 0)
+        throw SyntaxError(file_, number, characters(line.substr(0, i)) + 1,
+                          "this is not a text file (UTF-8): it has the byte " + in_hexadecimal(line[i]));
       i = next;
     }
     lines_.emplace_back(line);
@@ -46,16 +69,13 @@ Source::Source(std::string file, std::string_view text) : file_(std::move(file))
 }
 
 Place Source::place(int line, std::size_t byte) const {
-  int column = 1;
-  const std::string& text = lines_[line - 1];
-  for (std::size_t i = 0; i < byte && i < text.size(); ++i)
-    if (!continues(text[i])) ++column;
-  return {line, column};
+  return {line, characters(std::string_view(lines_[line - 1]).substr(0, byte)) + 1};
 }
 
 SyntaxError Source::error(Place place, const std::string& what) const {
-  const bool known = place.line >= 1 && place.line <= line_count();
-  return SyntaxError(file_, place.line, place.column, what, known ? line(place.line) : std::string());
+  const bool shown =
+      place.line >= 1 && place.line <= line_count() && line(place.line).size() <= kLongestShown;
+  return SyntaxError(file_, place.line, place.column, what, shown ? line(place.line) : std::string());
 }
 
 }  // namespace shortfall

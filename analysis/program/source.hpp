@@ -13,7 +13,8 @@ namespace shortfall {
 /// A text cut into lines, which knows how to complain about a place in itself.
 class Source {
  public:
-  /// throws  SyntaxError  when the text is no text (NUL bytes, broken UTF-8), larger than 1 MB, or has a line of over 10,000 bytes
+  /// throws  SyntaxError  when the text is no text (NUL bytes, broken UTF-8), larger than 1 MB, or has a line
+  /// of over 10,000 bytes
   Source(std::string file, std::string_view text);
 
   const std::string& file() const { return file_; }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <array>
-#include <numeric>
+#include <cctype>
 #include <utility>
 
 namespace shortfall {
@@ -11,26 +11,32 @@ namespace shortfall {
 namespace {
 
 /// What people write in their own code, and what the language calls it.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 20> kHabits{{{"dt", "h"},
-                                                                                 {"delta", "h"},
-                                                                                 {"deltaTime", "h"},
-                                                                                 {"delta_time", "h"},
-                                                                                 {"timestep", "h"},
-                                                                                 {"step", "h"},
-                                                                                 {"H", "h"},
-                                                                                 {"time", "t"},
-                                                                                 {"vel", "v"},
-                                                                                 {"velocity", "v"},
-                                                                                 {"pos", "x"},
-                                                                                 {"position", "x"},
-                                                                                 {"y", "x"},
-                                                                                 {"p", "x"},
-                                                                                 {"g", "a(x, v, t)"},
-                                                                                 {"gravity", "a(x, v, t)"},
-                                                                                 {"acc", "a(x, v, t)"},
-                                                                                 {"accel", "a(x, v, t)"},
-                                                                                 {"acceleration", "a(x, v, t)"},
-                                                                                 {"force", "a(x, v, t)"}}};
+constexpr std::array<std::pair<std::string_view, std::string_view>, 25> kHabits{
+    {{"dt", "h"},
+     {"delta", "h"},
+     {"deltaTime", "h"},
+     {"delta_time", "h"},
+     {"timestep", "h"},
+     {"step", "h"},
+     {"g", "a"},
+     {"gravity", "a"},
+     {"acc", "a"},
+     {"accel", "a"},
+     {"acceleration", "a"},
+     {"force", "a"},
+     {"time", "t"},
+     {"vel", "v"},
+     {"velocity", "v"},
+     {"pos", "x"},
+     {"position", "x"},
+     {"y", "x"},
+     {"p", "x"},
+     {"g", "a(x, v, t)"},
+     {"gravity", "a(x, v, t)"},
+     {"acc", "a(x, v, t)"},
+     {"accel", "a(x, v, t)"},
+     {"acceleration", "a(x, v, t)"},
+     {"force", "a(x, v, t)"}}};
 
 /// Optimal string alignment distance: insertions, deletions, substitutions, swaps of neighbours.
 int distance(std::string_view a, std::string_view b) {
@@ -40,14 +46,23 @@ int distance(std::string_view a, std::string_view b) {
   for (std::size_t i = 1; i <= a.size(); ++i)
     for (std::size_t j = 1; j <= b.size(); ++j) {
       d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (a[i - 1] != b[j - 1])});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
+      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1])
+        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
     }
   return d[a.size()][b.size()];
+}
+
+std::string lower_case(std::string_view word) {
+  std::string result(word);
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
 }
 
 }  // namespace
 
 std::string nearest(std::string_view word, const std::vector<std::string>& candidates) {
+  for (const std::string& candidate : candidates)
+    if (candidate != word && lower_case(candidate) == lower_case(word)) return candidate;
   std::string best;
   int least = std::max<int>(1, static_cast<int>(word.size()) / 3) + 1;
   for (const std::string& candidate : candidates) {

@@ -17,6 +17,10 @@ Expr entry(const Source& source, int line, std::size_t begin, std::size_t end) {
   return e;
 }
 
+std::string counted(std::size_t count, const std::string& one, const std::string& many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
+}
+
 bool is_zero(const Expr& e) { return is_number(e, 0); }
 
 /// base + h*(w_1 u_1 + w_2 u_2 ...), zero weights left out.
@@ -24,24 +28,29 @@ Expr increment(Expr base, const std::vector<Expr>& weights, const std::vector<Ex
   Expr total;
   for (std::size_t j = 0; j < weights.size(); ++j) {
     if (is_zero(weights[j])) continue;
-    Expr term = is_number(weights[j], 1)
-                    ? slopes[j]
-                    : binary(Expression::Op::multiply, weights[j], slopes[j], place);
+    Expr term =
+        is_number(weights[j], 1) ? slopes[j] : binary(Expression::Op::multiply, weights[j], slopes[j], place);
     total = total ? binary(Expression::Op::add, total, term, place) : term;
   }
   if (!total) return base;
-  return binary(Expression::Op::add, std::move(base), binary(Expression::Op::multiply, name("h", place), total, place), place);
+  return binary(Expression::Op::add, std::move(base),
+                binary(Expression::Op::multiply, name("h", place), total, place), place);
 }
 
 }  // namespace
 
-void read_tableau_row(Tableau& tableau, const Source& source, int& line, std::size_t byte, const std::string& first) {
+void read_tableau_row(Tableau& tableau, const Source& source, int& line, std::size_t byte,
+                      const std::string& first) {
   const std::string& text = source.line(line);
   std::size_t limit = text.find('#', byte);
   if (limit == std::string::npos) limit = text.size();
   const std::size_t bar = text.find('|', byte);
   if (bar == std::string::npos || bar >= limit)
-    throw source.error(source.place(line, byte), "a row of a tableau is written: c | entries, b | weights or embedded | weights");
+    throw source.error(
+        source.place(line, byte),
+        text.find('=', byte) < limit
+            ? "a tableau holds rows only; it is the whole step, and start and finish stand below it"
+            : "a row of a tableau is written: c | entries, b | weights or embedded | weights");
   std::vector<Expr> entries;
   for (std::size_t i = bar + 1; i < limit;) {
     if (text[i] == ' ' || text[i] == '\t') {
@@ -73,24 +82,26 @@ void lower_tableau(Program& program, const Source& source) {
   Tableau& tableau = *program.tableau;
   const std::size_t stages = tableau.c.size();
   const Place place = tableau.place;
-  auto sizes = [&](std::size_t found, const std::string& what) {
-    if (found > stages)
-      throw source.error(place, what + " has " + std::to_string(found) + " entries, the tableau " + std::to_string(stages) + " stages");
+  const auto check_size = [&](const std::vector<Expr>& row, const std::string& what, bool whole) {
+    if (row.size() <= stages && !(whole && row.size() < stages)) return;
+    const Place culprit = beginning(row.size() > stages ? row[stages] : row.back());
+    throw source.error(culprit, what + " has " + counted(row.size(), "entry", "entries") +
+                                    ", but the tableau has " + counted(stages, "stage", "stages"));
   };
   if (stages == 0) throw source.error(place, "the tableau has no stages");
   if (stages > 64) throw source.error(place, "the tableau has more than 64 stages");
   if (tableau.b.empty()) throw source.error(place, "the tableau has no row 'b'");
-  if (tableau.b.size() != stages)
-    throw source.error(place, "row b has " + std::to_string(tableau.b.size()) + " entries, the tableau " + std::to_string(stages) + " stages");
-  if (!tableau.embedded.empty() && tableau.embedded.size() != stages)
-    throw source.error(place, "row embedded has " + std::to_string(tableau.embedded.size()) + " entries, the tableau " +
-                                  std::to_string(stages) + " stages");
-  for (std::size_t i = 0; i < stages; ++i) sizes(tableau.a[i].size(), "row " + std::to_string(i + 1));
-  // A parameter called k1 or v2 would be captured by the stages' names.
-  for (const Parameter& p : program.parameters)
+  check_size(tableau.b, "row b", true);
+  if (!tableau.embedded.empty()) check_size(tableau.embedded, "row embedded", true);
+  for (std::size_t i = 0; i < stages; ++i) check_size(tableau.a[i], "row " + std::to_string(i + 1), false);
+  // A parameter or state called k1 or v2 would be captured by the stages' names.
+  const auto check_name = [&](const std::string& word, Place where) {
     for (std::size_t i = 1; i <= stages; ++i)
-      if (p.name == "k" + std::to_string(i) || p.name == "v" + std::to_string(i))
-        throw source.error(p.place, "the name '" + p.name + "' is taken by a stage of the tableau");
+      if (word == "k" + std::to_string(i) || word == "v" + std::to_string(i))
+        throw source.error(where, "the name '" + word + "' is taken by a stage of the tableau");
+  };
+  for (const Parameter& p : program.parameters) check_name(p.name, p.place);
+  for (const State& s : program.states) check_name(s.name, s.place);
   std::vector<Expr> k;
   std::vector<Expr> u;
   for (std::size_t i = 1; i <= stages; ++i) {
@@ -115,32 +126,42 @@ void lower_tableau(Program& program, const Source& source) {
       const Expr velocity = increment(name("v", place), tableau.a[i], k, place);
       std::vector<Expr> speeds;
       for (std::size_t j = 0; j < tableau.a[i].size(); ++j)
-        // In an implicit group the stage velocities are not known yet: they are written out in the unknown accelerations.
+        // In an implicit group the stage velocities are not known yet: they are written out in the unknown
+        // accelerations.
         speeds.push_back(implicit && j >= begin ? increment(name("v", place), tableau.a[j], k, place) : u[j]);
       const Expr position = increment(name("x", place), tableau.a[i], speeds, place);
-      const Expr time = is_zero(tableau.c[i]) ? name("t", place)
-                                              : binary(Expression::Op::add, name("t", place),
-                                                       is_number(tableau.c[i], 1)
-                                                           ? name("h", place)
-                                                           : binary(Expression::Op::multiply, tableau.c[i], name("h", place), place),
-                                                       place);
+      const Expr time =
+          is_zero(tableau.c[i])
+              ? name("t", place)
+              : binary(Expression::Op::add, name("t", place),
+                       is_number(tableau.c[i], 1)
+                           ? name("h", place)
+                           : binary(Expression::Op::multiply, tableau.c[i], name("h", place), place),
+                       place);
       if (implicit) {
         solve.unknowns.push_back({"k" + index, kAcceleration, force(position, velocity, time, place), place});
       } else {
         program.step.push_back({Statement::Kind::assign, "v" + index, velocity, {}, {}, place});
-        program.step.push_back({Statement::Kind::assign, "k" + index, force(position, u[i], time, place), {}, {}, place});
+        program.step.push_back(
+            {Statement::Kind::assign, "k" + index, force(position, u[i], time, place), {}, {}, place});
       }
     }
     if (implicit) {
       program.step.push_back(solve);
       for (std::size_t i = begin; i <= end; ++i)
-        program.step.push_back({Statement::Kind::assign, "v" + std::to_string(i + 1),
-                                increment(name("v", place), tableau.a[i], k, place), {}, {}, place});
+        program.step.push_back({Statement::Kind::assign,
+                                "v" + std::to_string(i + 1),
+                                increment(name("v", place), tableau.a[i], k, place),
+                                {},
+                                {},
+                                place});
     }
     begin = end + 1;
   }
-  program.step.push_back({Statement::Kind::assign, "x", increment(name("x", place), tableau.b, u, place), {}, {}, place});
-  program.step.push_back({Statement::Kind::assign, "v", increment(name("v", place), tableau.b, k, place), {}, {}, place});
+  program.step.push_back(
+      {Statement::Kind::assign, "x", increment(name("x", place), tableau.b, u, place), {}, {}, place});
+  program.step.push_back(
+      {Statement::Kind::assign, "v", increment(name("v", place), tableau.b, k, place), {}, {}, place});
 }
 
 }  // namespace shortfall

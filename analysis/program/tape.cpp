@@ -15,20 +15,28 @@ namespace {
 
 Rational value_of(const Expr& e, const Values& values) {
   switch (e->op) {
-    case Op::number: return e->value;
-    case Op::name: return values.at(e->name);
-    case Op::negate: return -value_of(e->operands[0], values);
-    case Op::add: return value_of(e->operands[0], values) + value_of(e->operands[1], values);
-    case Op::subtract: return value_of(e->operands[0], values) - value_of(e->operands[1], values);
-    case Op::multiply: return value_of(e->operands[0], values) * value_of(e->operands[1], values);
-    case Op::divide: return value_of(e->operands[0], values) / value_of(e->operands[1], values);
+    case Op::number:
+      return e->value;
+    case Op::name:
+      return values.at(e->name);
+    case Op::negate:
+      return -value_of(e->operands[0], values);
+    case Op::add:
+      return value_of(e->operands[0], values) + value_of(e->operands[1], values);
+    case Op::subtract:
+      return value_of(e->operands[0], values) - value_of(e->operands[1], values);
+    case Op::multiply:
+      return value_of(e->operands[0], values) * value_of(e->operands[1], values);
+    case Op::divide:
+      return value_of(e->operands[0], values) / value_of(e->operands[1], values);
     case Op::power: {
       std::int64_t exponent = 0;
       value_of(e->operands[1], values).fits_int64(exponent);
       return value_of(e->operands[0], values).pow(static_cast<int>(exponent));
     }
     case Op::force:
-    case Op::sum: break;
+    case Op::sum:
+      break;
   }
   throw Error("a parameter's default is made of numbers and parameters");
 }
@@ -47,17 +55,20 @@ void collect_counts(const std::vector<Statement>& block, std::vector<std::string
 
 class Lowering {
  public:
-  Lowering(const Program& program, const Values& given) : program_(program), values_(parameter_values(program, given)) {
+  Lowering(const Program& program, const Values& given)
+      : program_(program), values_(parameter_values(program, given)) {
     tape_.name = program.name;
     scalars_ = {{"h", Tape::kStep}, {"t", Tape::kTimeRegister}};
     tape_.scalar_registers = 2;
     std::vector<std::string> counts;
     collect_counts(program.step, counts);
-    tape_.scalar_registers += static_cast<int>(program.parameters.size());  // temporaries of the defaults come after them
+    tape_.scalar_registers +=
+        static_cast<int>(program.parameters.size());  // temporaries of the defaults come after them
     for (const Parameter& p : program.parameters) {
       const int slot = 2 + static_cast<int>(tape_.parameters.size());
       Tape::ParameterSlot parameter{p.name, {}, mentions_a_name(p.fallback), {}};
-      if (given.contains(p.name) || std::ranges::find(counts, p.name) != counts.end()) parameter.fixed = values_.at(p.name);
+      if (given.contains(p.name) || std::ranges::find(counts, p.name) != counts.end())
+        parameter.fixed = values_.at(p.name);
       block_ = &parameter.fallback;
       scalar_into(p.fallback, slot);
       scalars_[p.name] = slot;
@@ -71,7 +82,9 @@ class Lowering {
   Tape tape() {
     const auto scalars = scalars_;
     const auto vectors = vectors_;
-    for (auto [from, to] : {std::pair{&program_.start, &tape_.start}, {&program_.step, &tape_.step}, {&program_.finish, &tape_.finish}}) {
+    for (auto [from, to] : {std::pair{&program_.start, &tape_.start},
+                            {&program_.step, &tape_.step},
+                            {&program_.finish, &tape_.finish}}) {
       scalars_ = scalars;
       vectors_ = vectors;
       block_ = to;
@@ -91,11 +104,16 @@ class Lowering {
 
   bool is_vector(const Expr& e) const {
     switch (e->op) {
-      case Op::number: return false;
-      case Op::name: return vectors_.contains(e->name);
-      case Op::force: return true;
-      case Op::power: return false;
-      default: return std::ranges::any_of(e->operands, [&](const Expr& o) { return is_vector(o); });
+      case Op::number:
+        return false;
+      case Op::name:
+        return vectors_.contains(e->name);
+      case Op::force:
+        return true;
+      case Op::power:
+        return false;
+      default:
+        return std::ranges::any_of(e->operands, [&](const Expr& o) { return is_vector(o); });
     }
   }
 
@@ -114,15 +132,18 @@ class Lowering {
       case Op::number:
         tape_.numbers.push_back(e->value);
         return emit(Kind::number, out, static_cast<int>(tape_.numbers.size()) - 1);
-      case Op::name: return emit(Kind::scalar_copy, out, scalars_.at(e->name));
-      case Op::negate: return emit(Kind::scalar_negate, out, scalar(e->operands[0]));
+      case Op::name:
+        return emit(Kind::scalar_copy, out, scalars_.at(e->name));
+      case Op::negate:
+        return emit(Kind::scalar_negate, out, scalar(e->operands[0]));
       case Op::power: {
         const int base = scalar(e->operands[0]);
         std::int64_t exponent = 0;
         value_of(e->operands[1], {}).fits_int64(exponent);
         return emit(Kind::scalar_power, out, base, static_cast<int>(exponent));
       }
-      default: break;
+      default:
+        break;
     }
     static const std::map<Op, Kind> kinds{{Op::add, Kind::scalar_add},
                                           {Op::subtract, Kind::scalar_subtract},
@@ -144,8 +165,10 @@ class Lowering {
     if (!is_vector(e)) return emit(Kind::zero, out);  // the checker lets only 0 through
     const auto& o = e->operands;
     switch (e->op) {
-      case Op::name: return emit(Kind::vector_copy, out, vectors_.at(e->name));
-      case Op::negate: return emit(Kind::vector_negate, out, vector(o[0]));
+      case Op::name:
+        return emit(Kind::vector_copy, out, vectors_.at(e->name));
+      case Op::negate:
+        return emit(Kind::vector_negate, out, vector(o[0]));
       case Op::add:
       case Op::subtract: {
         const int a = vector(o[0]);
@@ -166,16 +189,23 @@ class Lowering {
         const int v = vector(o[1]);
         return emit(Kind::force, out, x, v, scalar(o[2]));
       }
-      default: throw Error("not a vector expression");
+      default:
+        throw Error("not a vector expression");
     }
   }
 
   void statements(const std::vector<Statement>& block) {
     for (const Statement& s : block) {
       switch (s.kind) {
-        case Statement::Kind::assign: assign(s); break;
-        case Statement::Kind::solve: solve(s); break;
-        case Statement::Kind::substeps: repeat(s); break;
+        case Statement::Kind::assign:
+          assign(s);
+          break;
+        case Statement::Kind::solve:
+          solve(s);
+          break;
+        case Statement::Kind::substeps:
+          repeat(s);
+          break;
       }
     }
   }
@@ -183,7 +213,8 @@ class Lowering {
   void assign(const Statement& s) {
     const bool known_vector = vectors_.contains(s.name);
     if (known_vector || is_vector(s.value)) {
-      // The right-hand side is read before the name changes, so it may be computed straight into its register.
+      // The right-hand side is read before the name changes, so it may be computed straight into its
+      // register.
       if (!known_vector) {
         const int out = new_vector();
         vector_into(s.value, out);

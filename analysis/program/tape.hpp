@@ -29,11 +29,11 @@ struct Instruction {
     vector_negate,
     vector_add,
     vector_subtract,
-    scale,           ///< vector out = scalar a * vector b
-    vector_divide,   ///< vector out = vector a / scalar b
-    force,           ///< vector out = a(vector a, vector b, scalar c)
-    solve,           ///< solves[a]
-    repeat,          ///< repeats[a]
+    scale,          ///< vector out = scalar a * vector b
+    vector_divide,  ///< vector out = vector a / scalar b
+    force,          ///< vector out = a(vector a, vector b, scalar c)
+    solve,          ///< solves[a]
+    repeat,         ///< repeats[a]
   };
   Kind kind;
   int out = 0;
@@ -86,7 +86,8 @@ struct Tape {
 
 /// The tape of a program.
 ///
-/// throws  BadInput  for a value of an unknown parameter, or a number of substeps that is no whole number from 1 to 10000
+/// throws  BadInput  for a value of an unknown parameter, or a number of substeps that is no whole number
+/// from 1 to 10000
 Tape lower(const Program& program, const Values& given = {});
 
 /// The value of every parameter: what is given, otherwise its default.

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/program/token_reader.hpp"
 
+#include <algorithm>
+#include <cstdlib>
+#include <set>
+
 namespace shortfall {
 
 namespace {
 
 constexpr int kDeepest = 200;
 constexpr int kMostNodes = 5000;
+constexpr int kHighestDimension = 20;
 
 struct Deeper {
   int& depth;
@@ -31,7 +36,8 @@ bool TokenReader::take_if(std::string_view sign) {
 std::string TokenReader::found() const { return at_end() ? "the end of the line" : "'" + peek().text + "'"; }
 
 Token TokenReader::expect(std::string_view sign, std::string_view where) {
-  if (!at(sign)) throw error("expected '" + std::string(sign) + "' " + std::string(where) + ", found " + found());
+  if (!at(sign))
+    throw error("expected '" + std::string(sign) + "' " + std::string(where) + ", found " + found());
   return take();
 }
 
@@ -40,26 +46,37 @@ Token TokenReader::expect_name(std::string_view what) {
   return take();
 }
 
-void TokenReader::missing_operator() const {
-  const bool starts_value = peek().kind != Token::Kind::sign || at("(");
-  if (at_end() || !starts_value || next_ == 0) return;
-  throw error("an operator is missing before " + found() + "; a product is written with *");
+bool TokenReader::after_value() const {
+  return next_ > 0 && (tokens_[next_ - 1].kind != Token::Kind::sign || tokens_[next_ - 1].text == ")");
+}
+
+void TokenReader::refuse_missing_operator() const {
+  const bool starts_value = !at_end() && (peek().kind != Token::Kind::sign || at("("));
+  if (starts_value && after_value())
+    throw error("an operator is missing before " + found() + "; a product is written with *");
 }
 
 void TokenReader::expect_end(std::string_view after) {
   if (at_end()) return;
-  missing_operator();
-  if (at("=")) throw error("one = is enough: one statement a line, NAME = EXPRESSION");
+  refuse_missing_operator();
+  if (at("=")) throw error("a statement has one =; each assignment stands on a line of its own");
+  if (at("}")) throw error("} stands on a line of its own");
+  if (at(",") && next_ > 0 && tokens_[next_ - 1].kind == Token::Kind::number &&
+      tokens_[next_ + 1].kind == Token::Kind::number)
+    throw error("a decimal is written with a point: " + tokens_[next_ - 1].text + "." +
+                tokens_[next_ + 1].text);
   throw error("nothing may follow " + std::string(after) + ", found " + found());
 }
 
 Expr TokenReader::expression() {
   const Deeper deeper(depth_);
-  if (depth_ > kDeepest) throw error("parentheses are nested deeper than " + std::to_string(kDeepest) + " levels");
+  if (depth_ > kDeepest)
+    throw error("parentheses are nested deeper than " + std::to_string(kDeepest) + " levels");
   Expr left = product();
   while (at("+") || at("-")) {
     const Token sign = take();
-    left = binary(sign.text == "+" ? Expression::Op::add : Expression::Op::subtract, left, product(), sign.place);
+    left = binary(sign.text == "+" ? Expression::Op::add : Expression::Op::subtract, left, product(),
+                  sign.place);
   }
   return left;
 }
@@ -68,7 +85,8 @@ Expr TokenReader::product() {
   Expr left = signed_factor();
   while (at("*") || at("/")) {
     const Token sign = take();
-    left = binary(sign.text == "*" ? Expression::Op::multiply : Expression::Op::divide, left, signed_factor(), sign.place);
+    left = binary(sign.text == "*" ? Expression::Op::multiply : Expression::Op::divide, left, signed_factor(),
+                  sign.place);
   }
   return left;
 }
@@ -91,7 +109,8 @@ Expr TokenReader::power_of() {
   Expr base = primary();
   if (!at("^")) return base;
   const Token sign = take();
-  // The exponent is a signed whole number or a parenthesis; towers like h^2^3 are ambiguous to readers, so they are refused.
+  // The exponent is a signed whole number or a parenthesis; towers like h^2^3 are ambiguous to readers, so
+  // they are refused.
   Expr exponent;
   if (at("-")) {
     const Token minus = take();
@@ -123,17 +142,37 @@ Expr TokenReader::primary() {
       if (token.text == "(") {
         take();
         Expr inside = expression();
-        if (!at(")")) {
-          missing_operator();
-          throw error("expected ) or an operator, found " + found());
-        }
+        if (!at(")")) refuse_unclosed(token);
         take();
         return inside;
       }
       break;
-    case Token::Kind::end: break;
+    case Token::Kind::end:
+      break;
   }
-  throw error("expected a value, found " + found());
+  const std::string after = next_ > 0 ? " after '" + tokens_[next_ - 1].text + "'" : "";
+  const bool cut_off = at_end() && next_ > 0 &&
+                       std::string_view("+-*/").find(tokens_[next_ - 1].text) != std::string_view::npos;
+  throw error("expected a value" + after + ", found " + found() +
+              (cut_off ? "; a line goes on only inside parentheses" : ""));
+}
+
+void TokenReader::refuse_unclosed(const Token& open) const {
+  refuse_missing_operator();
+  if (at(",")) throw error("a comma stands only between the values of a(x, v, t)");
+  throw error(open.place, "this ( is not closed before " + found());
+}
+
+void TokenReader::refuse_call(const Token& function, const Token& open, std::size_t values) const {
+  static const std::set<std::string, std::less<>> kElsewhere{
+      "abs", "cbrt", "cos", "exp", "ln", "log", "max", "min", "pow", "sin", "sgn", "sqrt", "tan", "tanh"};
+  if (kElsewhere.contains(function.text))
+    throw error(function.place,
+                "there is no function '" + function.text + "'; the only one is the force, a(x, v, t)");
+  if (values == 1)
+    throw error(open.place,
+                "an operator is missing before '('; a product is written with *: " + function.text + "*(");
+  throw error(function.place, "there is no function '" + function.text + "'; the force is called a(x, v, t)");
 }
 
 Expr TokenReader::call(const Token& function) {
@@ -143,30 +182,27 @@ Expr TokenReader::call(const Token& function) {
     do arguments.push_back(expression());
     while (take_if(","));
   }
-  if (!at(")")) {
-    missing_operator();
-    throw error("expected , or ) in the call of '" + function.text + "', found " + found());
-  }
+  if (!at(")")) refuse_unclosed(open);
   take();
-  if (function.text != "a")
-    throw source_.error(function.place, "'" + function.text + "' cannot be called; the only function is a(x, v, t)" +
-                                            (arguments.size() == 1 ? "; a product is written with *" : ""));
+  if (function.text != "a") refuse_call(function, open, arguments.size());
   if (arguments.size() != 3)
-    throw source_.error(function.place, "a takes 3 values, position, velocity, time: a(x, v, t); found " +
-                                            std::to_string(arguments.size()));
+    throw error(function.place, "a takes 3 values, position, velocity, time: a(x, v, t); found " +
+                                    std::to_string(arguments.size()));
   return force(arguments[0], arguments[1], arguments[2], function.place);
 }
 
 int TokenReader::whole_number(std::string_view what) {
   const bool minus = take_if("-");
   std::int64_t value = 0;
-  if (peek().kind != Token::Kind::number || peek().text.size() > 3 || !Rational::parse(peek().text).fits_int64(value))
+  if (peek().kind != Token::Kind::number || peek().text.size() > 3 ||
+      !Rational::parse(peek().text).fits_int64(value))
     throw error("expected " + std::string(what) + ", found " + found());
   take();
   return static_cast<int>(minus ? -value : value);
 }
 
 Dimension TokenReader::dimension() {
+  const Place first = peek().place;
   Dimension result;
   int sign = 1;
   for (;;) {
@@ -185,6 +221,8 @@ Dimension TokenReader::dimension() {
     } else if (take_if("/")) {
       sign = -1;
     } else {
+      if (std::max(std::abs(result.length), std::abs(result.time)) > kHighestDimension)
+        throw source_.error(first, "a dimension has powers from -20 to 20");
       return result;
     }
   }

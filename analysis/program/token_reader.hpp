@@ -12,7 +12,8 @@ namespace shortfall {
 /// Reads expressions off the tokens of one statement, by precedence climbing.
 class TokenReader {
  public:
-  TokenReader(const Source& source, std::vector<Token> tokens) : source_(source), tokens_(std::move(tokens)) {}
+  TokenReader(const Source& source, std::vector<Token> tokens)
+      : source_(source), tokens_(std::move(tokens)) {}
 
   const Token& peek() const { return tokens_[next_]; }
   bool at_end() const { return peek().kind == Token::Kind::end; }
@@ -38,9 +39,12 @@ class TokenReader {
   Expr signed_factor();
   Expr power_of();
   Expr primary();
-  Expr call(const Token& name);
+  Expr call(const Token& function);
   int whole_number(std::string_view what);
-  void missing_operator() const;
+  bool after_value() const;
+  void refuse_missing_operator() const;
+  [[noreturn]] void refuse_unclosed(const Token& open) const;
+  [[noreturn]] void refuse_call(const Token& function, const Token& open, std::size_t values) const;
 
   const Source& source_;
   std::vector<Token> tokens_;
