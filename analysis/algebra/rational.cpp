@@ -88,30 +88,21 @@ struct RationalAccess {
     assign(r, numerator, static_cast<Int128>(b_rest) * (d / cancels));
   }
 
-  /// (a/b) (c/d), b and d possibly negative (then from a division).
-  static void product(Rational& r, Int128 a, Int128 b, Int128 c, Int128 d) {
+  /// (a/b) (c/d) or its opposite; each at most 2^63, so that no product passes 126 bits.
+  static void product(Rational& r, bool negative, std::uint64_t a, std::uint64_t b, std::uint64_t c,
+                      std::uint64_t d) {
     if (a == 0 || c == 0) return assign(r, 0, 1);
-    const auto reduce = [](Int128& above, Int128& below) {
+    const auto reduce = [](std::uint64_t& above, std::uint64_t& below) {
       if (below == 1) return;
-      const auto common = static_cast<Int128>(
-          gcd(static_cast<std::uint64_t>(magnitude(above)), static_cast<std::uint64_t>(magnitude(below))));
+      const std::uint64_t common = gcd(above, below);
       if (common == 1) return;
-      above = fits_64(above)
-                  ? static_cast<Int128>(static_cast<std::int64_t>(above) / static_cast<std::int64_t>(common))
-                  : above / common;
-      below = fits_64(below)
-                  ? static_cast<Int128>(static_cast<std::int64_t>(below) / static_cast<std::int64_t>(common))
-                  : below / common;
+      above /= common;
+      below /= common;
     };
     reduce(a, d);
     reduce(c, b);
-    Int128 numerator = a * c;
-    Int128 denominator = b * d;
-    if (denominator < 0) {
-      numerator = -numerator;
-      denominator = -denominator;
-    }
-    assign(r, numerator, denominator);
+    const auto numerator = static_cast<Int128>(static_cast<UInt128>(a) * c);
+    assign(r, negative ? -numerator : numerator, static_cast<Int128>(static_cast<UInt128>(b) * d));
   }
 };
 
@@ -262,7 +253,14 @@ Rational& Rational::operator-=(const Rational& other) {
 
 Rational& Rational::operator*=(const Rational& other) {
   if (!big_ && !other.big_) [[likely]] {
-    Access::product(*this, numerator_, denominator_, other.numerator_, other.denominator_);
+    std::int64_t total;
+    if (denominator_ == 1 && other.denominator_ == 1 &&
+        !__builtin_mul_overflow(numerator_, other.numerator_, &total)) {
+      numerator_ = total;
+      return *this;
+    }
+    Access::product(*this, (numerator_ < 0) != (other.numerator_ < 0), magnitude(numerator_),
+                    magnitude(denominator_), magnitude(other.numerator_), magnitude(other.denominator_));
     return *this;
   }
   Access::assign(*this, mpq_class(gmp(*this) * gmp(other)));
@@ -272,7 +270,8 @@ Rational& Rational::operator*=(const Rational& other) {
 Rational& Rational::operator/=(const Rational& other) {
   if (other.is_zero()) throw Undefined("division of " + (big_ ? "a number" : str()) + " by zero");
   if (!big_ && !other.big_) [[likely]] {
-    Access::product(*this, numerator_, denominator_, other.denominator_, other.numerator_);
+    Access::product(*this, (numerator_ < 0) != (other.numerator_ < 0), magnitude(numerator_),
+                    magnitude(denominator_), magnitude(other.denominator_), magnitude(other.numerator_));
     return *this;
   }
   Access::assign(*this, mpq_class(gmp(*this) / gmp(other)));

@@ -26,19 +26,23 @@ inline std::uint64_t gcd(std::uint64_t a, std::uint64_t b) {
   if (a == 1 || b == 1) return 1;
   if (a < b) std::swap(a, b);
   if (b == 0) return a;
-  // One division first: the subtractions below are slow only for operands of very different sizes.
-  a %= b;
-  if (a == 0) return b;
-  const int twos = std::countr_zero(a | b);
-  a >>= std::countr_zero(a);
-  b >>= std::countr_zero(b);
-  while (a != b) {
-    const std::uint64_t least = a < b ? a : b;
-    const std::uint64_t difference = a < b ? b - a : a - b;
-    a = least;
-    b = difference >> std::countr_zero(difference);
+  // Subtractions are slow only for operands of very different sizes: there, one division first.
+  if (a >> 16 >= b) {
+    a %= b;
+    if (a == 0) return b;
   }
-  return a << twos;
+  const int twos_a = std::countr_zero(a), twos_b = std::countr_zero(b);
+  a >>= twos_a;
+  b >>= twos_b;
+  // Stein's algorithm without branches that could be predicted wrongly: (a, b) becomes (the smaller, |b - a|
+  // made odd).
+  for (std::uint64_t difference; (difference = b - a) != 0;) {
+    const std::uint64_t mask = 0 - static_cast<std::uint64_t>(b < a);
+    const int twos = std::countr_zero(difference);
+    a += difference & mask;
+    b = ((difference ^ mask) - mask) >> twos;
+  }
+  return a << (twos_a < twos_b ? twos_a : twos_b);
 }
 
 inline UInt128 gcd(UInt128 a, UInt128 b) {

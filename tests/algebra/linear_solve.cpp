@@ -63,8 +63,8 @@ Matrix<Rational> matrix(std::size_t rows, std::size_t columns, std::size_t rank,
 
 TEST_CASE("a system made from a solution is solved, singular or not") {
   CHECK(rc::check([] {
-    const auto rows = *rc::gen::inRange<std::size_t>(1, 7), columns = *rc::gen::inRange<std::size_t>(1, 7);
-    const auto rank = *rc::gen::inRange<std::size_t>(0, 7);
+    const auto rows = *random::whole<std::size_t>(1, 7), columns = *random::whole<std::size_t>(1, 7);
+    const auto rank = *random::whole<std::size_t>(0, 7);
     const auto a = matrix(rows, columns, rank, random::small_rational());
     std::vector<Rational> x(columns);
     for (auto& entry : x) entry = *rc::gen::arbitrary<Rational>();
@@ -83,8 +83,8 @@ TEST_CASE("a system made from a solution is solved, singular or not") {
 TEST_CASE("any system is either solved or refuted by a certificate") {
   int refuted = 0;
   CHECK(rc::check([&] {
-    const auto rows = *rc::gen::inRange<std::size_t>(1, 7), columns = *rc::gen::inRange<std::size_t>(1, 7);
-    const auto a = matrix(rows, columns, *rc::gen::inRange<std::size_t>(0, 5), random::small_rational());
+    const auto rows = *random::whole<std::size_t>(1, 7), columns = *random::whole<std::size_t>(1, 7);
+    const auto a = matrix(rows, columns, *random::whole<std::size_t>(0, 5), random::small_rational());
     std::vector<Rational> b(rows);
     for (auto& entry : b) entry = *random::small_rational();
     const auto found = solve_linear(a, b);
@@ -104,8 +104,8 @@ TEST_CASE("systems over rational functions are solved or refuted") {
     Matrix<Fraction> a(3, std::vector<Fraction>(3));
     std::vector<Fraction> b(3);
     for (auto& row : a)
-      for (auto& entry : row) entry = *rc::gen::resize(2, rc::gen::arbitrary<Fraction>());
-    for (auto& entry : b) entry = *rc::gen::resize(2, rc::gen::arbitrary<Fraction>());
+      for (auto& entry : row) entry = *rc::gen::arbitrary<Fraction>();
+    for (auto& entry : b) entry = *rc::gen::arbitrary<Fraction>();
     if (*rc::gen::arbitrary<bool>()) {
       for (std::size_t j = 0; j < 3; ++j) a[2][j] = a[0][j] * Fraction::letter(3) + a[1][j];
     }

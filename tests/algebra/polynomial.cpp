@@ -56,6 +56,7 @@ TEST_CASE("an exponent goes up to 65535 and not beyond, in every letter, and nev
     CHECK_THROWS_AS(Monomial::of(letter, 40000) * Monomial::of(letter, 40000), Unable);
     CHECK_THROWS_AS(Monomial::of(letter, 65536), Unable);
     CHECK_THROWS_AS(Monomial::of(letter, 256).pow(256), Unable);
+    CHECK_THROWS_AS(Monomial::of(letter, 32768).pow(131072), Unable);  // 2^32
     CHECK_THROWS_AS(Polynomial::letter(letter, 65535) * Polynomial::letter(letter), Unable);
     CHECK_THROWS_AS((Polynomial::letter(letter, 65535) + 1) * (Polynomial::letter(letter) + 1), Unable);
     for (Letter other = 0; other < kLetters; ++other)

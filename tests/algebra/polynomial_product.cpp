@@ -42,18 +42,18 @@ std::map<Exponents, Rational> as_map(const Polynomial& p) {
 
 /// Some terms in all sixteen letters with exponents up to `most` and any coefficients.
 rc::Gen<Polynomial> wide(int most) {
-  const auto term = rc::gen::map(
-      rc::gen::pair(rc::gen::container<std::vector<int>>(kLetters, rc::gen::inRange(0, most + 1)),
-                    rc::gen::arbitrary<Rational>()),
-      [](const std::pair<std::vector<int>, Rational>& p) {
-        Monomial m;
-        for (Letter letter = 0; letter < kLetters; ++letter)
-          m = m.with(letter, p.first[static_cast<std::size_t>(letter)]);
-        return Polynomial::Term{m, p.second};
-      });
-  return rc::gen::map(
-      rc::gen::resize(6, rc::gen::container<std::vector<Polynomial::Term>>(term)),
-      [](std::vector<Polynomial::Term> terms) { return Polynomial::from_terms(std::move(terms)); });
+  const auto term =
+      rc::gen::map(rc::gen::pair(rc::gen::container<std::vector<int>>(kLetters, random::whole(0, most + 1)),
+                                 rc::gen::arbitrary<Rational>()),
+                   [](const std::pair<std::vector<int>, Rational>& p) {
+                     Monomial m;
+                     for (Letter letter = 0; letter < kLetters; ++letter)
+                       m = m.with(letter, p.first[static_cast<std::size_t>(letter)]);
+                     return Polynomial::Term{m, p.second};
+                   });
+  return rc::gen::map(random::list<Polynomial::Term>(6, term), [](std::vector<Polynomial::Term> terms) {
+    return Polynomial::from_terms(std::move(terms));
+  });
 }
 
 }  // namespace

@@ -145,7 +145,7 @@ TEST_CASE("floor is the largest integer that is not larger") {
 
 TEST_CASE("powers are repeated products") {
   CHECK(rc::check([](const Rational& a) {
-    const int n = *rc::gen::inRange(0, 8);
+    const int n = *random::whole(0, 8);
     Rational product = 1;
     for (int i = 0; i < n; ++i) product *= a;
     RC_ASSERT(a.pow(n) == product);

@@ -102,7 +102,7 @@ TEST_CASE("a decimal is rounded to nearest, ties away from zero") {
 
 TEST_CASE("decimals are the closest ones of their length") {
   CHECK(rc::check([](const Rational& a) {
-    const int places = *rc::gen::inRange(0, 60);
+    const int places = *random::whole(0, 60);
     const Rational shown = Rational::parse(a.decimal(places));
     RC_ASSERT((shown - a).abs() * 2 <= Rational(10).pow(-places));
     if ((shown - a).abs() * 2 == Rational(10).pow(-places)) RC_ASSERT(shown.abs() > a.abs());
@@ -111,9 +111,9 @@ TEST_CASE("decimals are the closest ones of their length") {
 
 TEST_CASE("decimals of binary64 numbers are those of the C library, which rounds correctly too") {
   CHECK(rc::check([] {
-    const auto bits = *rc::gen::inRange<std::int64_t>((std::int64_t{1} << 52) + 1, std::int64_t{1} << 53);
-    const double value = std::ldexp(static_cast<double>(bits | 1), *rc::gen::inRange(-120, 40));
-    const int digits = *rc::gen::inRange(1, 17);
+    const auto bits = *random::whole<std::int64_t>((std::int64_t{1} << 52) + 1, std::int64_t{1} << 53);
+    const double value = std::ldexp(static_cast<double>(bits | 1), *random::whole(-120, 40));
+    const int digits = *random::whole(1, 17);
     const Rational exact = Rational::from_double(value);
     // Of two texts that are equally close the C library takes the even one, we the larger.
     const auto agree = [&](const std::string& ours, const std::string& theirs) {

@@ -12,7 +12,7 @@ using namespace shortfall;
 
 TEST_CASE("a rational becomes the nearest Real of its precision") {
   CHECK(rc::check([](const Rational& a) {
-    const int digits = *rc::gen::inRange(1, 120);
+    const int digits = *random::whole(1, 120);
     const Real r = real(a, digits);
     RC_ASSERT(static_cast<int>(r.precision()) == digits);
     if (a.is_zero()) {

@@ -91,9 +91,9 @@ TEST_CASE("surds compare as their values do, also over different roots") {
 
 TEST_CASE("a difference that cancels a hundred digits still has its sign") {
   CHECK(rc::check([] {
-    const Rational d = *rc::gen::map(rc::gen::inRange(2, 1000), [](int i) { return Rational(i * i + 1); });
+    const Rational d = *rc::gen::map(random::whole(2, 1000), [](int i) { return Rational(i * i + 1); });
     const Surd root = Surd::sqrt(d);
-    const int places = *rc::gen::inRange(10, 100);
+    const int places = *random::whole(10, 100);
     const Rational below = (root * Rational(10).pow(places)).floor() / Rational(10).pow(places);
     const Surd gap = root - below;
     RC_ASSERT(gap.sign() == 1);
@@ -125,12 +125,12 @@ TEST_CASE("surds round to binary64 and binary32 as MPFR rounds 200 digits") {
 TEST_CASE("decimals of surds are those of their values to 200 digits") {
   CHECK(rc::check([] {
     const Surd a = some(*radicand());
-    const int places = *rc::gen::inRange(0, 40);
+    const int places = *random::whole(0, 40);
     const Real slack("1e-150");  // for rational ties, which 200 digits in binary do not hold
     RC_ASSERT(abs(valued(Rational::parse(a.decimal(places))) - valued(a)) <=
               valued(Rational(1, 2) * Rational(10).pow(-places)) + slack);
     if (a.is_zero()) return;
-    const int digits = *rc::gen::inRange(1, 40);
+    const int digits = *random::whole(1, 40);
     const Real error = abs(valued(Rational::parse(a.significant(digits))) / valued(a) - 1);
     RC_ASSERT(error <= valued(Rational(1, 2) * Rational(10).pow(1 - digits)) + slack);
   }));
@@ -148,7 +148,7 @@ TEST_CASE("decimals of surds are those of their values to 200 digits") {
 TEST_CASE("an approximation is as close as it says") {
   CHECK(rc::check([] {
     const Surd a = some(*radicand());
-    const int digits = *rc::gen::inRange(0, 100);
+    const int digits = *random::whole(0, 100);
     const Rational near = a.approximation(digits);
     if (a.is_zero())
       RC_ASSERT(near.is_zero());
