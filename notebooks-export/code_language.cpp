@@ -35,20 +35,24 @@ constexpr std::array<Name, 14> kNames{{{"csharp", Language::csharp},
 
 /// Words that cannot be names in one of the languages, or that our templates use.
 const std::set<std::string, std::less<>> kTaken{
-    "and",      "as",       "assert",  "async",   "auto",     "await",   "base",     "bool",    "break",  "case",
-    "catch",    "char",     "check",   "class",   "const",    "continue", "crate",   "decimal", "def",    "default",
-    "del",      "delegate", "delete",  "do",      "double",   "dt",      "dyn",      "elif",    "else",   "enum",
-    "event",    "except",   "explicit", "export", "extends",  "extern",  "false",    "finally", "fixed",  "float",
-    "fn",       "for",      "frame",   "frames",  "from",     "func",    "function", "global",  "goto",   "gravity",
-    "height",   "if",       "impl",    "import",  "in",       "int",     "is",       "lambda",  "launch", "let",
-    "lock",     "long",     "loop",    "match",   "math",     "max",     "min",      "mod",     "move",   "mut",
-    "namespace", "new",     "none",    "not",     "null",     "object",  "operator", "or",      "out",    "override",
-    "params",   "pass",     "preload", "print",   "private",  "pub",     "public",   "raise",   "range",  "readonly",
-    "ref",      "register", "return",  "sbyte",   "sealed",   "self",    "short",    "signal",  "signed", "sizeof",
-    "static",   "step",     "string",  "struct",  "super",    "switch",  "template", "this",    "throw",  "top",
-    "trait",    "true",     "try",     "type",    "typedef",  "typeof",  "uint",     "ulong",   "union",  "unsafe",
-    "use",      "using",    "var",     "virtual", "void",     "volatile", "where",   "while",   "with",   "yield",
-    "correction", "tolerance", "substep", "abs",  "ceil",     "sqrt",    "jump",     "std"};
+    "and",      "as",       "assert",     "async",     "auto",     "await",    "base",      "bool",
+    "break",    "case",     "catch",      "char",      "check",    "class",    "const",     "continue",
+    "crate",    "decimal",  "def",        "default",   "del",      "delegate", "delete",    "do",
+    "double",   "dt",       "dyn",        "elif",      "else",     "enum",     "event",     "except",
+    "explicit", "export",   "extends",    "extern",    "false",    "finally",  "fixed",     "float",
+    "fn",       "for",      "frame",      "frames",    "from",     "func",     "function",  "global",
+    "goto",     "gravity",  "height",     "if",        "impl",     "import",   "in",        "int",
+    "is",       "lambda",   "launch",     "let",       "lock",     "long",     "loop",      "match",
+    "math",     "max",      "min",        "mod",       "move",     "mut",      "namespace", "new",
+    "none",     "not",      "null",       "object",    "operator", "or",       "out",       "override",
+    "params",   "pass",     "preload",    "print",     "private",  "pub",      "public",    "raise",
+    "range",    "readonly", "ref",        "register",  "return",   "sbyte",    "sealed",    "self",
+    "short",    "signal",   "signed",     "sizeof",    "static",   "step",     "string",    "struct",
+    "super",    "switch",   "template",   "this",      "throw",    "top",      "trait",     "true",
+    "try",      "type",     "typedef",    "typeof",    "uint",     "ulong",    "union",     "unsafe",
+    "use",      "using",    "var",        "virtual",   "void",     "volatile", "where",     "while",
+    "with",     "yield",    "correction", "tolerance", "substep",  "abs",      "ceil",      "sqrt",
+    "jump",     "std"};
 
 std::vector<std::string> words_of(const std::string& name) {
   std::vector<std::string> words(1);
@@ -71,7 +75,8 @@ std::string capitalised(std::string word) {
 std::optional<std::string> short_decimal(const Rational& value) {
   Rational scaled = value;
   for (int places = 0; places <= 12; ++places, scaled *= 10)
-    if (scaled.is_integer()) return scaled.digits() <= 15 ? std::optional(value.decimal(places)) : std::nullopt;
+    if (scaled.is_integer())
+      return scaled.digits() <= 15 ? std::optional(value.decimal(places)) : std::nullopt;
   return std::nullopt;
 }
 
@@ -85,24 +90,33 @@ struct Piece {
 
 class Writer {
  public:
-  Writer(Language language, const std::map<std::string, std::string>& names) : language_(language), names_(names) {}
+  Writer(Language language, const std::map<std::string, std::string>& names)
+      : language_(language), names_(names) {}
 
   Piece of(const Expr& e) const {
     using Op = Expression::Op;
     switch (e->op) {
-      case Op::number: return of_number(e->value);
+      case Op::number:
+        return of_number(e->value);
       case Op::name: {
         const auto found = names_.find(e->name);
         return {found != names_.end() ? found->second : identifier(e->name, language_), kAtom};
       }
-      case Op::negate: return {"-" + bound(e->operands[0], kAtom), kSign};
-      case Op::add: return {bound(e->operands[0], kSum) + " + " + bound(e->operands[1], kProduct), kSum};
-      case Op::subtract: return {bound(e->operands[0], kSum) + " - " + bound(e->operands[1], kProduct), kSum};
-      case Op::multiply: return {bound(e->operands[0], kProduct) + " * " + bound(e->operands[1], kSign), kProduct};
-      case Op::divide: return {bound(e->operands[0], kProduct) + " / " + bound(e->operands[1], kSign), kProduct};
-      case Op::power: return of_power(e);
+      case Op::negate:
+        return of_negative(e->operands[0]);
+      case Op::add:
+        return {bound(e->operands[0], kSum) + " + " + bound(e->operands[1], kProduct), kSum};
+      case Op::subtract:
+        return {bound(e->operands[0], kSum) + " - " + bound(e->operands[1], kProduct), kSum};
+      case Op::multiply:
+        return {bound(e->operands[0], kProduct) + " * " + bound(e->operands[1], kSign), kProduct};
+      case Op::divide:
+        return {bound(e->operands[0], kProduct) + " / " + bound(e->operands[1], kSign), kProduct};
+      case Op::power:
+        return of_power(e);
       case Op::force:
-      case Op::sum: break;
+      case Op::sum:
+        break;
     }
     throw Unable("'" + print(e) + "' is no formula of scalars: we cannot write it in " + title(language_));
   }
@@ -113,14 +127,24 @@ class Writer {
     return piece.binding < least ? "(" + piece.text + ")" : piece.text;
   }
 
+  /// The sign goes to the first factor, which is the same number.
+  Piece of_negative(const Expr& e) const {
+    const Piece piece = of(e);
+    if (piece.binding < kProduct || piece.text.starts_with("-")) return {"-(" + piece.text + ")", kSign};
+    return {"-" + piece.text, piece.binding == kProduct ? kProduct : kSign};
+  }
+
   std::string whole(const std::string& digits) const {
     switch (language_) {
       case Language::csharp:
-      case Language::cpp: return digits + (digits.find('.') == std::string::npos ? ".0f" : "f");
+      case Language::cpp:
+        return digits + (digits.find('.') == std::string::npos ? ".0f" : "f");
       case Language::gdscript:
-      case Language::rust: return digits + (digits.find('.') == std::string::npos ? ".0" : "");
+      case Language::rust:
+        return digits + (digits.find('.') == std::string::npos ? ".0" : "");
       case Language::python:
-      case Language::javascript: break;
+      case Language::javascript:
+        break;
     }
     return digits;
   }
@@ -142,7 +166,8 @@ class Writer {
     const Rational exponent = raw->op == Expression::Op::negate ? -raw->operands[0]->value : raw->value;
     std::int64_t count = 0;
     if (!exponent.fits_int64(count) || std::abs(count) > kLargest)
-      throw Unable("the power '" + print(e) + "' is written as a product only up to " + std::to_string(kLargest));
+      throw Unable("the power '" + print(e) + "' is written as a product only up to " +
+                   std::to_string(kLargest));
     if (count == 0) return of_number(1);
     const std::string base = bound(e->operands[0], kAtom);
     std::string text = base;
@@ -160,7 +185,8 @@ class Writer {
 
 std::optional<Language> language_named(std::string_view word) {
   std::string lower(word);
-  std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(lower, lower.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   const auto found = std::ranges::find(kNames, lower, &Name::word);
   if (found == kNames.end()) return std::nullopt;
   return found->language;

@@ -11,10 +11,12 @@
 
 namespace shortfall {
 
-/// The languages in which shortfall writes code. Numbers are binary32 in C#, C++ and Rust, binary64 elsewhere.
+/// The languages in which shortfall writes code. Numbers are binary32 in C#, C++ and Rust, binary64
+/// elsewhere.
 enum class Language { csharp, cpp, gdscript, python, rust, javascript };
 
-/// "csharp" or "c#", "cpp" or "c++", "gdscript", "python", "rust", "javascript", and the endings of their files.
+/// "csharp" or "c#", "cpp" or "c++", "gdscript", "python", "rust", "javascript", and the endings of their
+/// files.
 std::optional<Language> language_named(std::string_view word);
 
 /// The first name of each, in the order of the enumeration.
@@ -30,7 +32,8 @@ std::string identifier(const std::string& name, Language language);
 /// The same for a constant of the file: AlphaM, kAlphaM, ALPHA_M.
 std::string constant_identifier(const std::string& name, Language language);
 
-/// A number that is no whole one keeps its value up to one rounding: 0.5f, 1.0f / 3.0f (in parentheses where needed).
+/// A number that is no whole one keeps its value up to one rounding: 0.5f, 1.0f / 3.0f (in parentheses where
+/// needed).
 std::string literal(const Rational& value, Language language);
 
 /// An expression of scalars: one operation of ours is one of theirs, in our order; powers are products.

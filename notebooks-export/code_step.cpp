@@ -34,10 +34,12 @@ void settle(const Statement& solve, Lines& lines) {
   for (const Unknown& u : solve.unknowns) left.push_back(&u);
   while (!left.empty()) {
     const auto ready = std::ranges::find_if(left, [&](const Unknown* u) {
-      return std::ranges::none_of(left, [&](const Unknown* other) { return mentions(without_force(u->value), other->name); });
+      return std::ranges::none_of(
+          left, [&](const Unknown* other) { return mentions(without_force(u->value), other->name); });
     });
     if (ready == left.end())
-      throw Unable("the stage '" + left.front()->name + "' stays implicit under a constant force; we cannot write its step");
+      throw Unable("the stage '" + left.front()->name +
+                   "' stays implicit under a constant force; we cannot write its step");
     lines.push_back({(*ready)->name, without_force((*ready)->value), 0, {}});
     left.erase(ready);
   }
@@ -47,11 +49,16 @@ Lines lines_of(const std::vector<Statement>& block, const Values& parameters) {
   Lines lines;
   for (const Statement& s : block) {
     switch (s.kind) {
-      case Statement::Kind::assign: lines.push_back({s.name, without_force(s.value), 0, {}}); break;
-      case Statement::Kind::solve: settle(s, lines); break;
+      case Statement::Kind::assign:
+        lines.push_back({s.name, without_force(s.value), 0, {}});
+        break;
+      case Statement::Kind::solve:
+        settle(s, lines);
+        break;
       case Statement::Kind::substeps: {
         std::int64_t times = 0;
-        (s.value->op == Expression::Op::name ? parameters.at(s.value->name) : s.value->value).fits_int64(times);
+        (s.value->op == Expression::Op::name ? parameters.at(s.value->name) : s.value->value)
+            .fits_int64(times);
         lines.push_back({"", {}, static_cast<int>(times), lines_of(s.body, parameters)});
       }
     }
@@ -60,9 +67,8 @@ Lines lines_of(const std::vector<Statement>& block, const Values& parameters) {
 }
 
 bool reads(const Lines& lines, const std::string& name) {
-  return std::ranges::any_of(lines, [&](const Line& l) {
-    return l.name.empty() ? reads(l.body, name) : mentions(l.value, name);
-  });
+  return std::ranges::any_of(
+      lines, [&](const Line& l) { return l.name.empty() ? reads(l.body, name) : mentions(l.value, name); });
 }
 
 /// Removes assignments to names that nobody reads, until there is none; `kept` are read from outside.
@@ -90,6 +96,20 @@ std::string rename_finish(Lines& finish, const std::set<std::string>& carried) {
   return seen.contains("x") ? seen["x"] : "x";
 }
 
+/// Keeps of `finish` only what the position needs.
+void keep_for(const std::string& position, Lines& finish) {
+  std::set<std::string> needed{position};
+  for (auto l = finish.end(); l != finish.begin();) {
+    --l;
+    if (!needed.contains(l->name)) {
+      l = finish.erase(l);
+      continue;
+    }
+    for (const Line& earlier : finish)
+      if (mentions(l->value, earlier.name)) needed.insert(earlier.name);
+  }
+}
+
 class Printer {
  public:
   explicit Printer(Language language) : language_(language) {}
@@ -103,30 +123,48 @@ class Printer {
         repeat(l, whole, depth, out);
         continue;
       }
-      const bool again = declared.contains(l.name) || loops(whole, l.name) > 1;
+      const bool again = declared.contains(l.name) || assignments(whole, l.name) > 1;
       out.push_back(indent(depth) + assignment(l.name, code(l.value, language_, names), again));
     }
   }
 
+  /// param   again  whether it is assigned once more
   std::string assignment(const std::string& name, const std::string& value, bool again) {
     const std::string target = identifier(name, language_);
-    const bool first = declared.insert(name).second;
+    if (declared.insert(name).second) return declaration(target, value, again);
+    const bool semicolon = language_ != Language::gdscript && language_ != Language::python;
+    return target + " = " + value + (semicolon ? ";" : "");
+  }
+
+ private:
+  std::string declaration(const std::string& target, const std::string& value, bool again) const {
     switch (language_) {
-      case Language::csharp: return (first ? "float " : "") + target + " = " + value + ";";
-      case Language::cpp: return (!first ? "" : again ? "float " : "const float ") + target + " = " + value + ";";
-      case Language::gdscript: return (first ? "var " : "") + target + (first ? " := " : " = ") + value;
-      case Language::python: return target + " = " + value;
+      case Language::csharp:
+        return "float " + target + " = " + value + ";";
+      case Language::cpp:
+        return (again ? "float " : "const float ") + target + " = " + value + ";";
+      case Language::gdscript:
+        return "var " + target + " := " + value;
+      case Language::python:
+        return target + " = " + value;
       case Language::rust:
-        return (!first ? target : (again ? "let mut " : "let ") + target + ": f32") + " = " + value + ";";
-      case Language::javascript: return (!first ? "" : again ? "let " : "const ") + target + " = " + value + ";";
+        return (again ? "let mut " : "let ") + target + ": f32 = " + value + ";";
+      case Language::javascript:
+        return (again ? "let " : "const ") + target + " = " + value + ";";
     }
     return {};
   }
 
- private:
-  static int loops(const Lines& lines, const std::string& name) {
+  static bool occurs_outside(const Line& loop, const Lines& lines, const std::string& name) {
+    return std::ranges::any_of(lines, [&](const Line& l) {
+      if (&l == &loop) return false;
+      return l.name.empty() ? occurs_outside(loop, l.body, name) : l.name == name || mentions(l.value, name);
+    });
+  }
+
+  static int assignments(const Lines& lines, const std::string& name) {
     int count = 0;
-    for (const Line& l : lines) count += l.name.empty() ? 2 * loops(l.body, name) : l.name == name;
+    for (const Line& l : lines) count += l.name.empty() ? assignments(l.body, name) : l.name == name;
     return count;
   }
 
@@ -138,39 +176,44 @@ class Printer {
 
   void repeat(const Line& loop, const Lines& whole, int depth, std::vector<std::string>& out) {
     for (const Line& l : loop.body)  // a local that lives on after the loop is declared before it
-      if (!l.name.empty() && !declared.contains(l.name))
+      if (!l.name.empty() && !declared.contains(l.name) && occurs_outside(loop, whole, l.name))
         out.push_back(indent(depth) + assignment(l.name, literal(0, language_), true));
+    const std::set<std::string> outside = declared;
     const std::string count = std::to_string(loop.times);
-    const std::string short_step = nested_ == 0 ? "substep" : "substep" + std::to_string(nested_ + 1);
-    const std::string counter = nested_ == 0 ? "i" : "i" + std::to_string(nested_ + 1);
+    const std::string number = ++blocks_ == 1 ? "" : std::to_string(blocks_);
+    const std::string short_step = "substep" + number, counter = "i" + number;
     const std::string outer = names["h"];
-    const std::string before = assignment(short_step + "__", outer + " / " + literal(loop.times, language_), false);
-    std::string line = before;
-    const std::string mangled = identifier(short_step + "__", language_);
-    line.replace(line.find(mangled), mangled.size(), short_step);
-    out.push_back(indent(depth) + line);
+    out.push_back(indent(depth) +
+                  declaration(short_step, outer + " / " + literal(loop.times, language_), false));
     switch (language_) {
       case Language::csharp:
       case Language::cpp:
-        out.push_back(indent(depth) + "for (int " + counter + " = 0; " + counter + " < " + count + "; ++" + counter + ") {");
+        out.push_back(indent(depth) + "for (int " + counter + " = 0; " + counter + " < " + count + "; ++" +
+                      counter + ") {");
         break;
       case Language::javascript:
-        out.push_back(indent(depth) + "for (let " + counter + " = 0; " + counter + " < " + count + "; ++" + counter + ") {");
+        out.push_back(indent(depth) + "for (let " + counter + " = 0; " + counter + " < " + count + "; ++" +
+                      counter + ") {");
         break;
-      case Language::rust: out.push_back(indent(depth) + "for _ in 0.." + count + " {"); break;
-      case Language::gdscript: out.push_back(indent(depth) + "for _" + counter + " in range(" + count + "):"); break;
-      case Language::python: out.push_back(indent(depth) + "for _ in range(" + count + "):"); break;
+      case Language::rust:
+        out.push_back(indent(depth) + "for _ in 0.." + count + " {");
+        break;
+      case Language::gdscript:
+        out.push_back(indent(depth) + "for _" + counter + " in range(" + count + "):");
+        break;
+      case Language::python:
+        out.push_back(indent(depth) + "for _ in range(" + count + "):");
+        break;
     }
     names["h"] = short_step;
-    ++nested_;
     print(loop.body, whole, depth + 1, out);
-    --nested_;
     names["h"] = outer;
+    declared = outside;
     if (language_ != Language::gdscript && language_ != Language::python) out.push_back(indent(depth) + "}");
   }
 
   Language language_;
-  int nested_ = 0;
+  int blocks_ = 0;
 };
 
 }  // namespace
@@ -183,13 +226,15 @@ CodeStep code_step(const Program& program, const Values& parameters, Language la
   for (const State& s : program.states) carried.insert(s.name);
   const std::string position = rename_finish(finish, carried);
 
+  keep_for(position, finish);
   const auto is_read = [&](const std::string& n) {
     return n == "x" || n == position || reads(start, n) || reads(step, n) || reads(finish, n);
   };
   while (pruned(finish, is_read) || pruned(step, is_read) || pruned(start, is_read)) {
   }
   for (const Lines* lines : {&start, &step, &finish})
-    if (reads(*lines, "t")) throw Unable("the step of " + program.name + " reads the clock; we cannot write it as code yet");
+    if (reads(*lines, "t"))
+      throw Unable("the step of " + program.name + " reads the clock; we cannot write it as code yet");
 
   CodeStep result;
   Printer printer(language);
@@ -200,7 +245,8 @@ CodeStep code_step(const Program& program, const Values& parameters, Language la
   }
   // Carried vectors and what `start` assigns live outside the loop over frames.
   printer.declared = {"x", "v"};
-  Lines carried_lines = step;
+  Lines carried_lines = start;
+  carried_lines.insert(carried_lines.end(), step.begin(), step.end());
   for (const State& s : program.states) {
     Line twice{s.name, number(0), 0, {}};
     carried_lines.insert(carried_lines.end(), {twice, twice});

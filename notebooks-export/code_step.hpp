@@ -10,8 +10,8 @@
 
 namespace shortfall {
 
-/// One frame of an integrator under a constant acceleration, in another language: lines without indentation of their
-/// own. They use the names x, v, a, and dt.
+/// One frame of an integrator under a constant acceleration, in another language: lines without indentation
+/// of their own. They use the names x, v, a, and dt.
 struct CodeStep {
   std::vector<std::string> start;  ///< once, where x, v and a are known: declares the other carried vectors
   std::vector<std::string> step;   ///< once a frame
@@ -19,8 +19,8 @@ struct CodeStep {
   std::vector<std::string> parameters;  ///< names of the parameters that occur
 };
 
-/// Under a constant acceleration the places where the force is evaluated do not matter; what only serves to find them is
-/// left out, and implicit stages become explicit.
+/// Under a constant acceleration the places where the force is evaluated do not matter; what only serves to
+/// find them is left out, and implicit stages become explicit.
 ///
 /// throws  Unable  when a stage stays implicit or the step reads the clock
 CodeStep code_step(const Program& program, const Values& parameters, Language language);
