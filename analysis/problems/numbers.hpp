@@ -3,11 +3,14 @@
 
 #include <functional>
 #include <optional>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/linear_solve.hpp"
 #include "analysis/algebra/rational.hpp"
+#include "analysis/algebra/surd.hpp"
 
 namespace shortfall {
 
@@ -38,38 +41,88 @@ struct Numbers {
   Vector zero() const { return round(0); }
   Vector acceleration(const Vector& x, const Vector& v, const Scalar& t) const { return force(x, v, t); }
 
-  /// Newton's iteration with the exact Jacobian of an affine stage: f is affine in the unknowns for every force that is affine in x and v, so
-  /// that one round solves it; in exact arithmetic nothing else is accepted.
+  /// Newton's iteration with the differences of f as its Jacobian, which are exact for a force that is affine
+  /// in x and v: then one round solves a stage, and in exact arithmetic nothing else is accepted. Numbers
+  /// that round go on until the residual no longer shrinks.
   ///
-  /// throws  Undefined  when the stage is singular; NoConvergence-like Unable when the force is not affine and T is exact
+  /// throws  Undefined  when the stage is singular;  Unable  when the force is not affine and T is exact
   template <class F>
   void solve(std::vector<Vector>& unknowns, F&& f) const {
+    for (int round = 0; round < (kExact ? 1 : 50); ++round) {
+      const std::vector<T> at = f(unknowns);
+      const std::vector<std::vector<T>> matrix = one_minus_slopes(unknowns, at, f);
+      std::vector<T> residual;
+      for (std::size_t i = 0; i < at.size(); ++i) residual.push_back(at[i] - unknowns[i]);
+      const std::vector<T> move = solved(matrix, residual);
+      std::vector<T> next = unknowns;
+      for (std::size_t i = 0; i < at.size(); ++i) next[i] = next[i] + move[i];
+      if constexpr (kExact) {
+        unknowns = std::move(next);
+        if (f(unknowns) != unknowns)
+          throw Unable(
+              "the force is not affine in x and v: an implicit stage has no exact solution of this kind");
+      } else {
+        if (round > 0 && !(distance(next, f(next)) < distance(unknowns, at))) return;
+        unknowns = std::move(next);
+      }
+    }
+  }
+
+ private:
+  static constexpr bool kExact = std::is_same_v<T, Rational> || std::is_same_v<T, Surd>;
+
+  /// The matrix of 1 - f', column by column.
+  template <class F>
+  std::vector<std::vector<T>> one_minus_slopes(const std::vector<T>& unknowns, const std::vector<T>& at,
+                                               F&& f) const {
     const std::size_t count = unknowns.size();
-    const std::vector<T> at = f(unknowns);
-    bool constant = true;
-    std::vector<std::vector<T>> matrix(count, std::vector<T>(count));
+    std::vector<std::vector<T>> matrix(count, std::vector<T>(count, number(0)));
     for (std::size_t j = 0; j < count; ++j) {
       std::vector<T> moved = unknowns;
       moved[j] = moved[j] + number(1);
+      const T width = moved[j] - unknowns[j];
       const std::vector<T> there = f(moved);
-      for (std::size_t i = 0; i < count; ++i) {
-        const T slope = there[i] - at[i];
-        if (!(slope == number(0))) constant = false;
-        matrix[i][j] = number(i == j ? 1 : 0) - slope;
+      for (std::size_t i = 0; i < count; ++i)
+        matrix[i][j] = number(i == j ? 1 : 0) - (there[i] - at[i]) / width;
+    }
+    return matrix;
+  }
+
+  std::vector<T> solved(std::vector<std::vector<T>> matrix, std::vector<T> right) const {
+    const Undefined singular("an implicit stage has no unique solution: its linear system is singular");
+    if constexpr (kExact) {
+      const auto found = solve_linear<T>(matrix, right);
+      if (!found.solution || !found.free_unknowns.empty()) throw singular;
+      return *found.solution;
+    } else {
+      // Elimination with the largest pivot of each column.
+      const std::size_t count = right.size();
+      for (std::size_t p = 0; p < count; ++p) {
+        std::size_t best = p;
+        for (std::size_t row = p + 1; row < count; ++row)
+          if (size(matrix[row][p]) > size(matrix[best][p])) best = row;
+        if (matrix[best][p] == number(0)) throw singular;
+        std::swap(matrix[best], matrix[p]);
+        std::swap(right[best], right[p]);
+        for (std::size_t row = 0; row < count; ++row) {
+          if (row == p) continue;
+          const T factor = matrix[row][p] / matrix[p][p];
+          for (std::size_t k = p; k < count; ++k) matrix[row][k] = matrix[row][k] - factor * matrix[p][k];
+          right[row] = right[row] - factor * right[p];
+        }
       }
+      for (std::size_t p = 0; p < count; ++p) right[p] = right[p] / matrix[p][p];
+      return right;
     }
-    if (constant) {
-      unknowns = at;
-      return;
-    }
-    std::vector<T> right(count);
-    for (std::size_t i = 0; i < count; ++i) right[i] = at[i] - unknowns[i];
-    const auto found = solve_linear<T>(matrix, right);
-    if (!found.solution || !found.free_unknowns.empty())
-      throw Undefined("an implicit stage has no unique solution: its linear system is singular");
-    for (std::size_t i = 0; i < count; ++i) unknowns[i] = unknowns[i] + (*found.solution)[i];
-    if constexpr (std::is_same_v<T, Rational>)
-      if (f(unknowns) != unknowns) throw Unable("the force is not affine in x and v: an implicit stage has no exact rational solution");
+  }
+
+  T size(const T& value) const { return value < number(0) ? T(-value) : value; }
+
+  T distance(const std::vector<T>& a, const std::vector<T>& b) const {
+    T largest = number(0);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (const T d = size(a[i] - b[i]); largest < d) largest = d;
+    return largest;
   }
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <array>
 #include <map>
 #include <set>
@@ -14,6 +15,8 @@ namespace {
 
 /// How tightly a printed piece binds: sum < product < sign < power < atom.
 enum Binding { kSum, kProduct, kSign, kPower, kAtom };
+
+constexpr int kMostPlaces = 40;  // more zeros than this are written as a power of ten
 
 struct Piece {
   std::string text;
@@ -44,7 +47,7 @@ const std::map<std::string, std::string> kGreek{
 
 class Printer {
  public:
-  Printer(Style style, bool decimals) : style_(style), decimals_(decimals) {}
+  Printer(Style style, bool in_program) : style_(style), in_program_(in_program) {}
 
   Piece of(const Expr& e) const {
     switch (e->op) {
@@ -53,15 +56,18 @@ class Printer {
       case Op::name:
         return {of_name(e->name), kAtom};
       case Op::negate:
-        return {minus() + bound(e->operands[0], kProduct, true), kSign};
+        // -a*b is (-a)*b to the parser: the same value, so formulas go without the parentheses of -(a*b).
+        return {minus() + bound(e->operands[0], in_program_ ? kPower : kProduct, true), kSign};
       case Op::add:
         return {bound(e->operands[0], kSum) + " + " + bound(e->operands[1], kProduct, true), kSum};
       case Op::subtract:
         return {bound(e->operands[0], kSum) + (style_ == Style::unicode ? " − " : " - ") +
                     bound(e->operands[1], kProduct, true),
                 kSum};
-      case Op::multiply:
-        return {bound(e->operands[0], kProduct) + times() + bound(e->operands[1], kSign, true), kProduct};
+      case Op::multiply: {
+        const std::string right = bound(e->operands[1], kSign, true);
+        return {bound(e->operands[0], kProduct) + times(right) + right, kProduct};
+      }
       case Op::divide:
         return of_quotient(e);
       case Op::power:
@@ -78,8 +84,18 @@ class Printer {
 
  private:
   std::string minus() const { return style_ == Style::unicode ? "−" : "-"; }
-  std::string times() const {
-    return style_ == Style::unicode ? " " : style_ == Style::latex ? " \\, " : "*";
+  /// The sign of a product; a blank does for letters, but not before a digit.
+  std::string times(const std::string& right) const {
+    const bool digit = right[0] >= '0' && right[0] <= '9';
+    switch (style_) {
+      case Style::unicode:
+        return digit ? "·" : " ";
+      case Style::latex:
+        return digit ? " \\cdot " : " \\, ";
+      case Style::language:
+        break;
+    }
+    return "*";
   }
   std::string open() const { return style_ == Style::latex ? "\\left(" : "("; }
   std::string close() const { return style_ == Style::latex ? "\\right)" : ")"; }
@@ -95,34 +111,58 @@ class Printer {
   }
 
   Piece of_number(const Rational& value) const {
-    const std::string sign = value.sign() < 0 ? minus() : "";
+    const bool negative = value.sign() < 0;
+    const std::string sign = negative ? minus() : "";
     const Rational size = value.abs();
-    const Binding binding = value.sign() < 0 ? kSign : size.is_integer() ? kAtom : kProduct;
-    if (size.is_integer()) return {sign + size.str(), binding};
+    if (in_program_)
+      if (const std::string decimal = exact_decimal(size); !decimal.empty())
+        return {sign + decimal, negative ? kSign : kAtom};
+    if (size.is_integer()) return {sign + size.str(), negative ? kSign : kAtom};
     if (style_ == Style::latex)
       return {sign + "\\frac{" + size.numerator().str() + "}{" + size.denominator().str() + "}",
-              value.sign() < 0 ? kSign : kAtom};
-    if (style_ == Style::unicode) {
-      const auto vulgar = kVulgar.find(size.str());
-      if (vulgar != kVulgar.end()) return {sign + vulgar->second, value.sign() < 0 ? kSign : kAtom};
-    }
-    // A decimal of a program stays one: 0.1 must not come back as the division 1/10, which may round
-    // differently.
-    if (const std::string decimal = exact_decimal(size); decimals_ && !decimal.empty())
-      return {sign + decimal, value.sign() < 0 ? kSign : kAtom};
-    return {sign + size.str(), binding};
+              negative ? kSign : kPower};
+    if (style_ == Style::unicode)
+      if (const auto vulgar = kVulgar.find(size.str()); vulgar != kVulgar.end())
+        return {sign + vulgar->second, negative ? kSign : kPower};
+    return {sign + size.str(), negative ? kSign : kProduct};
   }
 
-  /// The finite decimal a rational is, or "" when it is none.
+  /// The finite decimal that a positive rational is, "0.25" or "1e-400"; "" when it is none.
   static std::string exact_decimal(const Rational& value) {
-    Rational scaled = value;
-    for (int places = 0; places <= 400; ++places, scaled *= 10)
-      if (scaled.is_integer()) return value.decimal(places);
-    return "";
+    int places = 0;
+    for (const int prime : {2, 5}) {
+      Rational left = value.denominator();
+      int power = 0;
+      for (Rational next = left / prime; next.is_integer(); next = left / prime, ++power) left = next;
+      places = std::max(places, power);
+    }
+    const Rational whole = value * Rational(10).pow(places);
+    if (!whole.is_integer()) return "";
+    std::string digits = whole.str();
+    const std::size_t zeros = value.is_zero() ? 0 : digits.size() - 1 - digits.find_last_not_of('0');
+    if (places <= kMostPlaces && zeros <= kMostPlaces) return value.decimal(places);
+    return digits.substr(0, digits.size() - zeros) + "e" + std::to_string(static_cast<long>(zeros) - places);
+  }
+
+  /// A stem that gets an index of its own: a0 becomes a^{(0)}, so that it does not carry two indices below.
+  std::string indexed_stem(const std::string& stem) const {
+    const std::string plain = of_name(stem);
+    const std::size_t bar = plain.find('_');
+    return bar == std::string::npos ? plain : plain.substr(0, bar) + "^{(" + stem.substr(stem.find_first_of("_0123456789") + (stem.find('_') != std::string::npos)) + ")}";
   }
 
   std::string of_name(const std::string& name) const {
     if (style_ == Style::language) return name;
+    if (const std::size_t bar = name.rfind('_'); bar != std::string::npos && bar > 0) {
+      // The indices of a derivation: x_n, x_k, x_{k+1}.
+      std::string index = name.substr(bar + 1);
+      std::erase_if(index, [](char c) { return c == '{' || c == '}'; });
+      if (index == "n" || index == "k" || index == "k+1") {
+        const std::string stem = name.substr(0, bar);
+        if (style_ == Style::latex) return indexed_stem(stem) + "_{" + index + "}";
+        return of_name(stem) + (index == "n" ? "ₙ" : index == "k" ? "ₖ" : "ₖ₊₁");
+      }
+    }
     std::size_t digits = name.size();
     while (digits > 0 && name[digits - 1] >= '0' && name[digits - 1] <= '9') --digits;
     std::string stem = name.substr(0, digits);
@@ -151,7 +191,7 @@ class Printer {
 
   Piece of_quotient(const Expr& e) const {
     if (style_ == Style::latex)
-      return {"\\frac{" + of(e->operands[0]).text + "}{" + of(e->operands[1]).text + "}", kAtom};
+      return {"\\frac{" + of(e->operands[0]).text + "}{" + of(e->operands[1]).text + "}", kPower};
     return {bound(e->operands[0], kProduct) + "/" + bound(e->operands[1], kSign, true), kProduct};
   }
 
@@ -160,11 +200,13 @@ class Printer {
     const std::string exponent = of(e->operands[1]).text;
     if (style_ == Style::latex) return {base + "^{" + exponent + "}", kPower};
     const Expr& raw = e->operands[1];
-    if (style_ == Style::unicode && raw->op == Op::number && raw->value.is_integer())
-      return {base + superscript(raw->value.str()), kPower};
+    const bool minus_number = raw->op == Op::negate && raw->operands[0]->op == Op::number;
+    const bool whole = (minus_number ? raw->operands[0] : raw)->value.is_integer() &&
+                       (minus_number || raw->op == Op::number);
+    if (style_ == Style::unicode && whole)
+      return {base + superscript(minus_number ? (-raw->operands[0]->value).str() : raw->value.str()), kPower};
     if (style_ == Style::unicode && exponent == "n") return {base + "ⁿ", kPower};
-    const bool plain = raw->op == Op::name || (raw->op == Op::number && raw->value.is_integer()) ||
-                       (raw->op == Op::negate && raw->operands[0]->op == Op::number);
+    const bool plain = whole || raw->op == Op::name;
     return {base + "^" + (plain ? exponent : "(" + exponent + ")"), kPower};
   }
 
@@ -184,7 +226,7 @@ class Printer {
   }
 
   Style style_;
-  bool decimals_;
+  bool in_program_;  ///< every operation as it stands, decimals kept
 };
 
 }  // namespace

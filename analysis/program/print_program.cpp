@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <optional>
+
 #include "analysis/program/print.hpp"
 
 namespace shortfall {
@@ -52,8 +55,25 @@ std::string tableau_block(const Tableau& tableau) {
   return text;
 }
 
+bool same_rows(const std::vector<Expr>& a, const std::vector<Expr>& b) {
+  return std::ranges::equal(a, b, [](const Expr& p, const Expr& q) { return same(p, q); });
+}
+
 bool same_statements(const std::vector<Statement>& a, const std::vector<Statement>& b) {
-  return statements(a, "") == statements(b, "");
+  const auto same_value = [](const Expr& p, const Expr& q) { return p && q ? same(p, q) : !p && !q; };
+  const auto same_unknown = [](const Unknown& p, const Unknown& q) {
+    return p.name == q.name && p.dimension == q.dimension && same(p.value, q.value);
+  };
+  return std::ranges::equal(a, b, [&](const Statement& p, const Statement& q) {
+    return p.kind == q.kind && p.name == q.name && same_value(p.value, q.value) &&
+           std::ranges::equal(p.unknowns, q.unknowns, same_unknown) && same_statements(p.body, q.body);
+  });
+}
+
+bool same_tableaus(const std::optional<Tableau>& a, const std::optional<Tableau>& b) {
+  if (!a || !b) return !a && !b;
+  return same_rows(a->c, b->c) && std::ranges::equal(a->a, b->a, same_rows) && same_rows(a->b, b->b) &&
+         same_rows(a->embedded, b->embedded);
 }
 
 }  // namespace
@@ -63,7 +83,7 @@ std::string print(const Program& p) {
   for (std::size_t begin = 0; begin < p.description.size();) {
     std::size_t end = p.description.find('\n', begin);
     if (end == std::string::npos) end = p.description.size();
-    text += "# " + p.description.substr(begin, end - begin) + "\n";
+    text += (end == begin ? "#" : "# ") + p.description.substr(begin, end - begin) + "\n";
     begin = end + 1;
   }
   text += "integrator " + p.name + "\n";
@@ -83,9 +103,20 @@ std::string print(const Program& p) {
 }
 
 bool same(const Program& a, const Program& b) {
-  // Printing forgets nothing but places, so equal texts are equal programs; the lowered steps are compared as
-  // well.
-  return print(a) == print(b) && same_statements(a.step, b.step);
+  const auto same_parameter = [](const Parameter& p, const Parameter& q) {
+    return p.name == q.name && p.dimension == q.dimension && same(p.fallback, q.fallback);
+  };
+  const auto same_state = [](const State& p, const State& q) {
+    return p.name == q.name && p.dimension == q.dimension;
+  };
+  const auto same_claim = [](const Claim& p, const Claim& q) {
+    return p.word == q.word && same(p.value, q.value);
+  };
+  return a.name == b.name && a.description == b.description && a.aliases == b.aliases &&
+         a.sources == b.sources && std::ranges::equal(a.parameters, b.parameters, same_parameter) &&
+         std::ranges::equal(a.states, b.states, same_state) && same_statements(a.start, b.start) &&
+         same_statements(a.step, b.step) && same_statements(a.finish, b.finish) &&
+         same_tableaus(a.tableau, b.tableau) && std::ranges::equal(a.claims, b.claims, same_claim);
 }
 
 }  // namespace shortfall

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <rapidcheck.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "analysis/program/program.hpp"
+
+namespace shortfall::testing {
+
+/// Random programs whose sorts and dimensions are right by construction and which never divide by a number
+/// that is zero.
+class RandomProgram {
+ public:
+  Program program();
+
+ private:
+  using Names = std::vector<std::pair<std::string, Dimension>>;
+  using Op = Expression::Op;
+
+  static int pick(int from, int below) { return *rc::gen::inRange(from, below); }
+
+  static Expr literal() {
+    static const std::vector<const char*> texts{"1",    "2",  "3",      "0.1",   "0.25",
+                                                "1e-3", "12", "0.0625", "1.5e2", "1e-45"};
+    return number(Rational::parse(texts[pick(0, static_cast<int>(texts.size()))]));
+  }
+
+  /// A name, or powers of h and d multiplied up: never zero.
+  Expr factor(Dimension d) {
+    std::vector<Expr> factors;
+    for (const auto& [base, exponent] : {std::pair{"h", d.time}, std::pair{"d", d.length}}) {
+      if (exponent == 0) continue;
+      const Expr size = number(std::abs(exponent));
+      const Expr letter = name(base);
+      factors.push_back(exponent == 1 ? letter
+                                      : binary(Op::power, letter, exponent < 0 ? negate(size) : size));
+    }
+    if (factors.empty()) return pick(0, 3) == 0 ? name("p") : literal();
+    Expr result = factors[0];
+    if (factors.size() > 1) result = binary(Op::multiply, result, factors[1]);
+    return pick(0, 2) == 0 ? binary(Op::multiply, literal(), result) : result;
+  }
+
+  Dimension small() { return {pick(-1, 2), pick(-2, 3)}; }
+
+  Expr scalar(Dimension d, int depth) {
+    if (depth == 0) return factor(d);
+    switch (pick(0, 7)) {
+      case 0:
+        return binary(Op::add, scalar(d, depth - 1), scalar(d, depth - 1));
+      case 1:
+        return binary(Op::subtract, scalar(d, depth - 1), scalar(d, depth - 1));
+      case 2: {
+        const Dimension part = small();
+        return binary(Op::multiply, scalar(part, depth - 1), scalar(d / part, depth - 1));
+      }
+      case 3: {
+        const Dimension part = small();
+        return binary(Op::divide, scalar(d * part, depth - 1), factor(part));
+      }
+      case 4:
+        return negate(scalar(d, depth - 1));
+      case 5:
+        if (d.length % 2 == 0 && d.time % 2 == 0)
+          return binary(Op::power, scalar({d.length / 2, d.time / 2}, depth - 1), number(2));
+        return binary(Op::power, factor(kPure / d), negate(number(1)));
+      default:
+        return named(scalars_, d, depth);
+    }
+  }
+
+  Expr named(const Names& names, Dimension d, int depth) {
+    for (const auto& [known, dimension] : names)
+      if (dimension == d && pick(0, 2) == 0) return name(known);
+    return depth == 0 ? factor(d) : scalar(d, depth - 1);
+  }
+
+  Expr vector(Dimension d, int depth) {
+    if (depth == 0) {
+      const auto& [known, dimension] = vectors_[pick(0, static_cast<int>(vectors_.size()))];
+      if (dimension == d) return name(known);
+      return binary(Op::multiply, factor(d / dimension), name(known));
+    }
+    switch (pick(0, 8)) {
+      case 0:
+        return binary(Op::add, vector(d, depth - 1), vector(d, depth - 1));
+      case 1:
+        return binary(Op::subtract, vector(d, depth - 1), vector(d, depth - 1));
+      case 2: {
+        const Dimension part = small();
+        return binary(Op::multiply, scalar(part, depth - 1), vector(d / part, depth - 1));
+      }
+      case 3: {
+        const Dimension part = small();
+        return binary(Op::multiply, vector(d / part, depth - 1), scalar(part, depth - 1));
+      }
+      case 4: {
+        const Dimension part = small();
+        return binary(Op::divide, vector(d * part, depth - 1), factor(part));
+      }
+      case 5:
+        return negate(vector(d, depth - 1));
+      case 6:
+        return binary(Op::add, number(0), vector(d, depth - 1));
+      default:
+        if (d == kAcceleration)
+          return force(vector(kLength, depth - 1), vector(kVelocity, depth - 1), scalar(kTime, depth - 1));
+        return vector(d, depth - 1);
+    }
+  }
+
+  Statement assignment(const std::string& to, Expr value) {
+    Statement s;
+    s.name = to;
+    s.value = std::move(value);
+    return s;
+  }
+
+  Statement solve() {
+    Statement s;
+    s.kind = Statement::Kind::solve;
+    const int count = pick(1, 3);
+    for (int i = 0; i < count; ++i) {
+      const std::string unknown = "k" + std::to_string(++unknowns_);
+      s.unknowns.push_back({unknown, i == 0 ? kAcceleration : kVelocity, nullptr, {}});
+      vectors_.emplace_back(unknown, s.unknowns.back().dimension);
+    }
+    for (Unknown& u : s.unknowns) u.value = vector(u.dimension, 3);
+    return s;
+  }
+
+  std::vector<Statement> statements(int count, bool in_step) {
+    std::vector<Statement> block;
+    for (int i = 0; i < count; ++i) {
+      const int kind = pick(0, in_step ? 8 : 6);
+      if (kind == 0) {
+        const Dimension d = small();
+        const std::string local = "s" + std::to_string(++locals_);
+        block.push_back(assignment(local, scalar(d, 3)));
+        scalars_.emplace_back(local, d);
+      } else if (kind == 1) {
+        const Dimension d = pick(0, 2) ? kAcceleration : small();
+        const std::string local = "u" + std::to_string(++locals_);
+        block.push_back(assignment(local, vector(d, 3)));
+        vectors_.emplace_back(local, d);
+      } else if (kind < 6) {
+        const auto [target, d] = carried_[pick(0, static_cast<int>(carried_.size()))];
+        block.push_back(assignment(target, vector(d, 3)));
+      } else if (kind == 6) {
+        block.push_back(solve());
+      } else {
+        Statement s;
+        s.kind = Statement::Kind::substeps;
+        s.value = pick(0, 2) ? number(pick(1, 4)) : name("m");
+        s.body = statements(pick(1, 3), false);
+        block.push_back(std::move(s));
+      }
+    }
+    return block;
+  }
+
+  Names carried_, vectors_, scalars_;
+  int locals_ = 0, unknowns_ = 0;
+};
+
+inline Program RandomProgram::program() {
+  Program p;
+  p.name = "random";
+  p.description = pick(0, 2) ? "" : "A program that nobody wrote.\n\nIts second paragraph.";
+  if (pick(0, 2)) p.aliases = {"chance # 1", "luck"};
+  if (pick(0, 2)) p.sources = {"Nobody (1900), Nowhere 1/2"};
+  p.parameters = {
+      {"p", kPure, number(Rational::parse("0.3")), {}},
+      {"d", kLength, number(Rational::parse("1.25")), {}},
+      {"m", kPure, number(2), {}},
+      {"q", kPure, binary(Op::divide, binary(Op::subtract, number(1), name("p")), number(3)), {}}};
+  carried_ = {{"x", kLength}, {"v", kVelocity}};
+  if (pick(0, 2)) {
+    p.states = {{"r", kLength, {}}, {"w", kAcceleration, {}}};
+    vectors_ = carried_;
+    p.start = {assignment("r", vector(kLength, 2)), assignment("w", vector(kAcceleration, 2))};
+    carried_.insert(carried_.end(), {{"r", kLength}, {"w", kAcceleration}});
+  }
+  vectors_ = carried_;
+  scalars_ = {{"h", kTime}, {"t", kTime}, {"p", kPure}, {"q", kPure}, {"d", kLength}};
+  const Names outside = scalars_;
+  p.step = statements(pick(1, 5), true);
+  p.step.push_back(assignment("x", vector(kLength, 4)));
+  vectors_ = carried_;
+  scalars_ = outside;
+  if (pick(0, 2)) p.finish = statements(pick(1, 3), false);
+  if (pick(0, 2))
+    p.claims = {{"exact", number(pick(0, 4)), {}},
+                {"shortfall", binary(Op::multiply, name("a"), binary(Op::power, name("h"), number(2))), {}}};
+  return p;
+}
+
+}  // namespace shortfall::testing
