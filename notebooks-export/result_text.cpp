@@ -24,17 +24,20 @@ std::string shown(const Expr& e, Style style) {
   return text;
 }
 
-std::string left_of(const Expr& e, Style style) { return print(e, style); }
+/// How many places a text takes on a terminal: characters, not bytes.
+std::size_t width_of(const std::string& text) {
+  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
 
 void append_steps(std::string& text, const Derivation& d, Style style) {
   std::size_t width = 0;
   std::string last;
-  for (const DerivationStep& s : d.steps) width = std::max(width, left_of(s.left, Style::language).size());
+  for (const DerivationStep& s : d.steps) width = std::max(width, width_of(print(s.left, style)));
   for (const DerivationStep& s : d.steps) {
-    const std::string left = left_of(s.left, style);
+    const std::string left = print(s.left, style);
     if (!last.empty() && left != last) text += "\n";
-    const std::size_t plain = left_of(s.left, Style::language).size();
-    text += "  " + (left == last ? std::string(plain, ' ') : left) + std::string(width - plain, ' ') + " = " + shown(s.right, style) + "\n";
+    const std::size_t taken = width_of(left);
+    text += "  " + (left == last ? std::string(taken, ' ') : left) + std::string(width - taken, ' ') + " = " + shown(s.right, style) + "\n";
     text += "  " + std::string(width, ' ') + "   " + (style == Style::unicode ? "↑ " : "^ ") + s.why + (s.proved ? "" : "  [NOT PROVED]") + "\n";
     last = left;
   }

@@ -234,10 +234,16 @@ std::vector<Correction> AnsatzSystem::worded(const std::vector<Coefficient>& unk
       if (d_.degree > 0) base += k <= 3 ? std::string(static_cast<std::size_t>(k), '\'') : "^(" + std::to_string(k) + ")";
     }
     Expr expanded = place == Target::read_x_by_v ? formula(coefficient, name("v"), w) : formula(added, d_.degree, w);
-    const bool minus = expanded->op == Expression::Op::negate;
-    mine->add = is_number(mine->add, 0) ? expanded : minus ? mine->add - expanded->operands[0] : mine->add + expanded;
+    mine->add = joined(mine->add, expanded);
     const std::string piece = print(formula(coefficient, name(base), w), Style::language);
-    mine->series += mine->series.empty() ? piece : piece.starts_with("-") ? " - " + piece.substr(1) : " + " + piece;
+    const bool minus = piece.starts_with("-");
+    const bool sum = coefficient.is_polynomial() && coefficient.numerator().terms().size() > 1;
+    if (mine->series.empty())
+      mine->series = piece;
+    else if (sum)
+      mine->series += " + (" + piece + ")";
+    else
+      mine->series += minus ? " - " + piece.substr(1) : " + " + piece;
   }
   return corrections;
 }

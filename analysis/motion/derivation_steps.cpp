@@ -73,21 +73,12 @@ class Writer {
   Expr increase(const Quantity& q) const {
     Expr total = number(0);
     for (const auto& [other, weight] : q.weights)
-      total = total + formula(weight, name(quantities_[other].name + "_k"), in_k_);
+      total = joined(total, formula(weight, name(quantities_[other].name + "_k"), in_k_));
     for (int d = 0; d <= d_.degree; ++d) {
       const Expr part = formula(q.drive[source(2 + d)], name(column_name(2 + d, d_.degree)), in_k_);
-      total = added(total, part);
+      total = joined(total, part);
     }
     return total;
-  }
-
-  static Expr added(const Expr& total, const Expr& part) {
-    if (is_number(part, 0)) return total;
-    if (is_number(total, 0)) return part;
-    // Terms keep their signs: a - (b - c) would hide them.
-    if (part->op == Expression::Op::add) return added(added(total, part->operands[0]), part->operands[1]);
-    if (part->op == Expression::Op::subtract) return added(total, part->operands[0]) - part->operands[1];
-    return total + part;
   }
 
   void tell(int index) {
@@ -100,7 +91,7 @@ class Writer {
     if (is_difference) {
       Expr definition = number(0);
       for (int s = 0; s < d_.map.force.states; ++s)
-        definition = added(definition, formula(q.definition[s], name(d_.map.states[s] + "_k"), in_k_));
+        definition = joined(definition, formula(q.definition[s], name(d_.map.states[s] + "_k"), in_k_));
       add(now, definition, "call the increase of the last step " + q.name, "k", 0);
     }
     if (!q.solvable) {
@@ -114,7 +105,7 @@ class Writer {
     } else if (q.self == Fraction(1)) {
       tell_sum(index, next, now, after_n, change, gathered);
     } else {
-      add(next, added(formula(q.self, now, in_k_), change), "one step, written out", "k", 0);
+      add(next, joined(formula(q.self, now, in_k_), change), "one step, written out", "k", 0);
       add(after_n, gathered, "a geometric sum: each step multiplies by the same factor" + from_text(settled_[index]), "n", settled_[index]);
     }
   }
@@ -123,7 +114,7 @@ class Writer {
 
   void tell_sum(int index, const Expr& next, const Expr& now, const Expr& after_n, const Expr& change, const Expr& gathered) {
     const Quantity& q = quantities_[index];
-    add(next, added(now, change), "one step, written out", "k", 0);
+    add(next, joined(now, change), "one step, written out", "k", 0);
     int begin = 0;
     for (const auto& [other, weight] : q.weights) begin = std::max(begin, settled_[other]);
     const Expr first = as_formula(check_.quantity(index, begin), in_n_);
@@ -133,7 +124,7 @@ class Writer {
     }
     const Expr from = number(begin);
     const Expr to = name("n") - number(1);
-    add(after_n, added(first, sum("k", from, to, change)), "unroll: each step adds to the one before" + from_text(begin), "n", begin);
+    add(after_n, joined(first, sum("k", from, to, change)), "unroll: each step adds to the one before" + from_text(begin), "n", begin);
 
     Motion summand(columns());
     for (const auto& [other, weight] : q.weights)
@@ -141,7 +132,7 @@ class Writer {
     for (int c = 2; c < columns(); ++c) summand[c] += Sequence(q.drive[source(c)]);
     const bool polynomial = std::ranges::all_of(summand, [](const Sequence& s) { return s.is_polynomial(); });
     if (!q.weights.empty())
-      add(after_n, added(first, sum("k", from, to, formula(summand, d_.degree, in_k_))), "put in what is known", "n", begin);
+      add(after_n, joined(first, sum("k", from, to, formula(summand, d_.degree, in_k_))), "put in what is known", "n", begin);
     if (!polynomial) {
       add(after_n, gathered, "Faulhaber's sums for the powers of k, geometric sums for the rest" + from_text(begin), "n", settled_[index]);
       return;
@@ -171,7 +162,7 @@ class Writer {
     const bool single = constant.is_polynomial() && constant.numerator().terms().size() == 1;
     const bool negative = single && constant.numerator().terms().front().coefficient.sign() < 0;
     Expr product = single ? formula(negative ? -constant : constant, letter, in_n_) : formula(constant, in_n_) * letter;
-    product = product * factor;
+    product = chained(product, factor);
     total = is_number(total, 0) ? (negative ? negate(product) : product) : negative ? total - product : total + product;
   }
 

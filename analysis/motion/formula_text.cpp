@@ -14,7 +14,8 @@ Expr term(const Polynomial::Term& t, const Expr& vector, const Wording& w) {
   Expr e = number(t.coefficient.abs());
   for (Letter letter = kStiffness; letter < static_cast<int>(w.letters.size()); ++letter)
     e = e * powered(w.letters[letter], t.monomial.exponent(letter));
-  if (vector) e = e * vector;
+  // Results read "1/2 a h t"; lines with a running index read "h v_k".
+  if (vector && w.gather_time) e = e * vector;
   const int n = t.monomial.exponent(kCount);
   const int h = t.monomial.exponent(kStepLetter);
   if (w.gather_time && n > 0) {
@@ -22,7 +23,9 @@ Expr term(const Polynomial::Term& t, const Expr& vector, const Wording& w) {
     e = e * powered("t", n);
     return h < n ? e / powered("h", n - h) : e;
   }
-  e = e * powered("h", h) * powered(w.count, n);
+  e = e * powered("h", h);
+  if (vector && !w.gather_time) e = e * vector;
+  e = e * powered(w.count, n);
   return e * powered(w.letters[kTimeLetter], t.monomial.exponent(kTimeLetter));
 }
 
@@ -40,6 +43,30 @@ Expr written_out(const Polynomial& p, const Expr& vector, const Wording& w, Expr
 /// Whether the first sign of a quotient should be pulled out in front.
 bool leads_with_minus(const Polynomial& p) { return !p.is_zero() && p.terms().front().coefficient.sign() < 0; }
 
+/// A factor without denominators, 2 rho - 1 and not rho - 1/2; what it was divided by goes to the constant.
+Polynomial whole(const Polynomial& p, int multiplicity, Rational& constant) {
+  Rational common = 1;  // the least common denominator: each step adds what the next coefficient still lacks
+  for (const Polynomial::Term& t : p.terms()) common *= (common * t.coefficient).denominator();
+  constant = constant / common.pow(multiplicity);
+  return p * Polynomial(common);
+}
+
+/// constant * factor^m * ..., the shape in which a denominator and its numerator are read most easily.
+Expr factored(const Polynomial& p, const Wording& w) {
+  const Factorization f = factor(p);
+  Rational constant = f.constant;
+  Expr powers = number(1);
+  for (const auto& [base, multiplicity] : f.factors)
+    powers = powers * power(written_out(whole(base, multiplicity, constant), nullptr, w), multiplicity);
+  return chained(number(constant), powers);
+}
+
+/// n h gathered into t in a rational function whose powers of h suffice; then t stands in the letter of time.
+Fraction gathered(const Fraction& f, const Wording& w) {
+  if (!w.gather_time || !f.contains(kCount)) return f;
+  return f.substitute(kCount, Fraction::letter(kTimeLetter) / Fraction::letter(kStepLetter));
+}
+
 Expr times_power(const Expr& e, const Fraction& base, const Wording& w) {
   if (base == Fraction(1)) return e;
   return e * binary(Expression::Op::power, formula(base, w), name(w.count));
@@ -52,9 +79,10 @@ void append(Expr& total, const Fraction& coefficient, const Expr& vector, const 
       total = appended(std::move(total), times_power(term(t, vector, w), base, w), t.coefficient.sign() < 0);
     return;
   }
-  const bool negative = leads_with_minus(coefficient.numerator());
-  Expr factor = formula(negative ? -coefficient : coefficient, w);
-  if (vector) factor = factor * vector;
+  const Fraction inside = gathered(coefficient, w);
+  const bool negative = leads_with_minus(inside.numerator());
+  Expr factor = formula(negative ? -inside : inside, w);
+  if (vector) factor = chained(factor, vector);
   total = appended(std::move(total), times_power(factor, base, w), negative);
 }
 
@@ -68,8 +96,24 @@ std::string column_name(int column, int degree) {
 
 Expr formula(const Fraction& f, const Wording& w) {
   if (f.is_zero()) return number(0);
-  Expr top = written_out(f.numerator(), nullptr, w);
-  return f.is_polynomial() ? top : top / written_out(f.denominator(), nullptr, w);
+  if (f.is_polynomial()) return written_out(f.numerator(), nullptr, w);
+  const Fraction inside = gathered(f, w);
+  if (inside.is_polynomial()) return written_out(inside.numerator(), nullptr, w);
+  return factored(inside.numerator(), w) / factored(inside.denominator(), w);
+}
+
+Expr joined(const Expr& total, const Expr& part) {
+  if (is_number(part, 0)) return total;
+  if (is_number(total, 0)) return part;
+  if (part->op == Expression::Op::add) return joined(joined(total, part->operands[0]), part->operands[1]);
+  if (part->op == Expression::Op::subtract) return joined(total, part->operands[0]) - part->operands[1];
+  return total + part;
+}
+
+Expr chained(const Expr& product, const Expr& factor) {
+  if (factor->op == Expression::Op::multiply) return chained(chained(product, factor->operands[0]), factor->operands[1]);
+  if (factor->op == Expression::Op::divide) return chained(product, factor->operands[0]) / factor->operands[1];
+  return product * factor;
 }
 
 Expr formula(const Fraction& coefficient, const Expr& vector, const Wording& w) {

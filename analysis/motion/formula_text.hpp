@@ -25,6 +25,12 @@ Expr formula(const Fraction& f, const Wording& wording);
 /// coefficient * vector, the coefficient's terms written out: 1/2*a*h^2*n^2 + 1/2*a*h^2*n.
 Expr formula(const Fraction& coefficient, const Expr& vector, const Wording& wording);
 
+/// total + part, where the terms of part keep their signs: a + (b - c) becomes a + b - c.
+Expr joined(const Expr& total, const Expr& part);
+
+/// product * factor without new parentheses: p * (n*(n-1)/2) becomes p*n*(n-1)/2.
+Expr chained(const Expr& product, const Expr& factor);
+
 /// A motion as a formula.
 Expr formula(const Motion& motion, int degree, const Wording& wording);
 

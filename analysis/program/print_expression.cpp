@@ -152,7 +152,7 @@ class Printer {
   }
 
   std::string of_name(const std::string& name) const {
-    if (style_ == Style::language) return name;
+    if (style_ == Style::language || name.find('(') != std::string::npos) return name;  // x(t) stays as it is
     if (const std::size_t bar = name.rfind('_'); bar != std::string::npos && bar > 0) {
       // The indices of a derivation: x_n, x_k, x_{k+1}.
       std::string index = name.substr(bar + 1);
@@ -216,9 +216,11 @@ class Printer {
     const std::string body = bound(e->operands[2], kProduct, true);
     switch (style_) {
       case Style::latex:
-        return {"\\sum_{" + e->name + "=" + from + "}^{" + to + "} " + body, kProduct};
+        return {"\\sum_{" + e->name + "=" + from + "}^{" + to + "} " + body, kPower};
       case Style::unicode:
-        return {"Σ[" + e->name + "=" + from + ".." + to + "] " + body, kProduct};
+        if (e->name == "k" && to == "n − 1" && from.find_first_not_of("0123456789") == std::string::npos)
+          return {"Σₖ₌" + subscript(from) + "ⁿ⁻¹ " + body, kPower};
+        return {"Σ[" + e->name + "=" + from + ".." + to + "] " + body, kPower};
       case Style::language:
         break;
     }
