@@ -150,6 +150,7 @@ std::string jump_code(const Flight& flight, const Rational& g, Language language
                                           {"dt_argument", {uses_dt ? ", dt" : ""}},
                                           {"start", step.start},
                                           {"step", step.step},
+                                          {"mut", {step.velocity_changes ? "mut " : ""}},
                                           {"position", {step.position}},
                                           {"heights", {heights}},
                                           {"tolerance", {tolerance}}});

@@ -96,23 +96,28 @@ std::string rename_finish(Lines& finish, const std::set<std::string>& carried) {
   return seen.contains("x") ? seen["x"] : "x";
 }
 
-/// Keeps of `finish` only what the position needs.
-void keep_for(const std::string& position, Lines& finish) {
-  std::set<std::string> needed{position};
-  for (auto l = finish.end(); l != finish.begin();) {
+/// Keeps of statements without repetitions only what is needed after them: such a name, or what leads to one.
+void keep_for(std::set<std::string> needed, Lines& lines) {
+  for (auto l = lines.end(); l != lines.begin();) {
     --l;
-    if (!needed.contains(l->name)) {
-      l = finish.erase(l);
+    if (!l->name.empty() && !needed.contains(l->name)) {
+      l = lines.erase(l);
       continue;
     }
-    for (const Line& earlier : finish)
-      if (mentions(l->value, earlier.name)) needed.insert(earlier.name);
+    for (const Line& other : lines)
+      if (reads({*l}, other.name)) needed.insert(other.name);
   }
 }
 
 class Printer {
  public:
   explicit Printer(Language language) : language_(language) {}
+
+  static int assignments(const Lines& lines, const std::string& name) {
+    int count = 0;
+    for (const Line& l : lines) count += l.name.empty() ? assignments(l.body, name) : l.name == name;
+    return count;
+  }
 
   std::map<std::string, std::string> names{{"h", "dt"}};
   std::set<std::string> declared;
@@ -160,12 +165,6 @@ class Printer {
       if (&l == &loop) return false;
       return l.name.empty() ? occurs_outside(loop, l.body, name) : l.name == name || mentions(l.value, name);
     });
-  }
-
-  static int assignments(const Lines& lines, const std::string& name) {
-    int count = 0;
-    for (const Line& l : lines) count += l.name.empty() ? assignments(l.body, name) : l.name == name;
-    return count;
   }
 
   std::string indent(int depth) const {
@@ -226,12 +225,17 @@ CodeStep code_step(const Program& program, const Values& parameters, Language la
   for (const State& s : program.states) carried.insert(s.name);
   const std::string position = rename_finish(finish, carried);
 
-  keep_for(position, finish);
-  const auto is_read = [&](const std::string& n) {
-    return n == "x" || n == position || reads(start, n) || reads(step, n) || reads(finish, n);
+  keep_for({position}, finish);
+  const auto read_by_frame = [&](const std::string& n) {
+    return n == "x" || n == position || reads(step, n) || reads(finish, n);
   };
-  while (pruned(finish, is_read) || pruned(step, is_read) || pruned(start, is_read)) {
+  while (pruned(step, read_by_frame)) {
   }
+  std::set<std::string> needed;
+  for (const Line& l : start)
+    if (read_by_frame(l.name)) needed.insert(l.name);
+  keep_for(needed, start);
+
   for (const Lines* lines : {&start, &step, &finish})
     if (reads(*lines, "t"))
       throw Unable("the step of " + program.name + " reads the clock; we cannot write it as code yet");
@@ -239,14 +243,15 @@ CodeStep code_step(const Program& program, const Values& parameters, Language la
   CodeStep result;
   Printer printer(language);
   for (const Parameter& p : program.parameters) {
-    if (!is_read(p.name)) continue;
+    if (!reads(start, p.name) && !read_by_frame(p.name)) continue;
     printer.names[p.name] = constant_identifier(p.name, language);
     result.parameters.push_back(p.name);
   }
   // Carried vectors and what `start` assigns live outside the loop over frames.
   printer.declared = {"x", "v"};
   Lines carried_lines = start;
-  carried_lines.insert(carried_lines.end(), step.begin(), step.end());
+  for (const Lines* lines : {&step, &finish})
+    carried_lines.insert(carried_lines.end(), lines->begin(), lines->end());
   for (const State& s : program.states) {
     Line twice{s.name, number(0), 0, {}};
     carried_lines.insert(carried_lines.end(), {twice, twice});
@@ -256,6 +261,7 @@ CodeStep code_step(const Program& program, const Values& parameters, Language la
   Lines frame = step;
   frame.insert(frame.end(), finish.begin(), finish.end());
   printer.print(frame, frame, 0, result.step);
+  result.velocity_changes = Printer::assignments(start, "v") + Printer::assignments(step, "v") > 0;
   result.position = identifier(position, language);
   return result;
 }

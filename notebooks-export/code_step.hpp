@@ -15,6 +15,7 @@ namespace shortfall {
 struct CodeStep {
   std::vector<std::string> start;  ///< once, where x, v and a are known: declares the other carried vectors
   std::vector<std::string> step;   ///< once a frame
+  bool velocity_changes = true;    ///< whether v is ever assigned
   std::string position;            ///< what holds the position that is reported after it
   std::vector<std::string> parameters;  ///< names of the parameters that occur
 };

@@ -34,10 +34,12 @@ public static class Jump
         float x = 0.0f;
         float v = launch;
         @start@
-        for (float top = 0.0f;; top = @position@)
+        float top = 0.0f;
+        while (true)
         {
             @step@
             if (!(@position@ > top)) return top;
+            top = @position@;
         }
     }
 
@@ -86,9 +88,11 @@ inline float highest_frame(float launch, float gravity = @g@, float dt = @dt@) {
   float x = 0.0f;
   float v = launch;
   @start@
-  for (float top = 0.0f;; top = @position@) {
+  float top = 0.0f;
+  while (true) {
     @step@
     if (!(@position@ > top)) return top;
+    top = @position@;
   }
 }
 
@@ -225,7 +229,7 @@ pub fn on_frame_launch_velocity(height: f32, gravity: f32, dt: f32) -> f32 {
 pub fn highest_frame(launch: f32, gravity: f32, dt: f32) -> f32 {
     let a: f32 = -gravity;
     let mut x: f32 = 0.0;
-    let mut v: f32 = launch;
+    let @mut@v: f32 = launch;
     @start@
     let mut top: f32 = 0.0;
     loop {
@@ -279,9 +283,11 @@ function highestFrame(launch, gravity = @g@, dt = @dt@) {
   let x = 0;
   let v = launch;
   @start@
-  for (let top = 0; ; top = @position@) {
+  let top = 0;
+  while (true) {
     @step@
     if (!(@position@ > top)) return top;
+    top = @position@;
   }
 }
 

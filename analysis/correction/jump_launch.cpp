@@ -44,7 +44,7 @@ Expr formula_of(const Flight& flight, const Rational& per_gravity) {
   if (const auto& fall = flight.fall_in_letters()) {
     const Fraction linear(fall->numerator().coefficient(kCount, 1), fall->denominator());
     if (!fall->denominator().contains(kCount))
-      return formula(linear / Fraction::letter(kStepLetter), name("g"), {flight.letters(), "n", false});
+      return formula(linear / Fraction::letter(kStepLetter), name("g"), {flight.letters(), "n", true});
   }
   return number(per_gravity) * name("g");
 }
