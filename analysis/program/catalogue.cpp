@@ -12,6 +12,13 @@ namespace shortfall {
 
 namespace {
 
+std::string lower_case(const std::string& text) {
+  std::string result = text;
+  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  return result;
+}
+
+/// Letters and digits only, in lower case.
 std::string folded(const std::string& text) {
   std::string result;
   for (unsigned char c : text)
@@ -34,19 +41,24 @@ const std::vector<Program>& catalogue() {
 std::string family(const Program& program) { return program.file.substr(0, program.file.find('/')); }
 
 Program find_integrator(const std::string& word) {
-  if (word.ends_with(".integrator") || word.find('/') != std::string::npos) return parse_file(word);
-  std::vector<std::string> names;
-  for (const Program& p : catalogue()) {
+  if (word.ends_with(".integrator")) return parse_file(word);
+  // A word with a slash is an alias such as "3/8 rule" only when it is written as it stands; otherwise it is
+  // a path.
+  const bool path = word.find('/') != std::string::npos;
+  const auto key = path ? lower_case : folded;
+  const std::string wanted = key(word);
+  std::vector<std::string> near_names;
+  for (const Program& p : catalogue())
     if (p.name == word) return p;
-    names.push_back(p.name);
-  }
-  const std::string wanted = folded(word);
   for (const Program& p : catalogue()) {
-    if (folded(p.name) == wanted) return p;
-    for (const std::string& alias : p.aliases)
-      if (folded(alias) == wanted) return p;
+    std::vector<std::string> names = p.aliases;
+    names.insert(names.begin(), p.name);
+    for (const std::string& name : names)
+      if (!wanted.empty() && key(name) == wanted) return p;
+    near_names.insert(near_names.end(), names.begin(), names.end());
   }
-  const std::string near = nearest(word, names);
+  if (path) return parse_file(word);
+  const std::string near = nearest(word, near_names);
   throw BadInput("unknown integrator '" + word + "'" +
                  (near.empty() ? "" : "; did you mean '" + near + "'?") +
                  " (shortfall list shows all; a file ends in .integrator)");

@@ -104,7 +104,7 @@ class Printer {
   /// operator a sign needs them too.
   std::string bound(const Expr& e, Binding least, bool right = false) const {
     const Piece piece = of(e);
-    const bool signed_right = right && piece.binding == kSign;
+    const bool signed_right = right && piece.text.starts_with(minus());
     const bool product_right = right && least == kSign && piece.binding == kProduct;
     if (piece.binding < least || signed_right || product_right) return open() + piece.text + close();
     return piece.text;
@@ -148,7 +148,11 @@ class Printer {
   std::string indexed_stem(const std::string& stem) const {
     const std::string plain = of_name(stem);
     const std::size_t bar = plain.find('_');
-    return bar == std::string::npos ? plain : plain.substr(0, bar) + "^{(" + stem.substr(stem.find_first_of("_0123456789") + (stem.find('_') != std::string::npos)) + ")}";
+    return bar == std::string::npos
+               ? plain
+               : plain.substr(0, bar) + "^{(" +
+                     stem.substr(stem.find_first_of("_0123456789") + (stem.find('_') != std::string::npos)) +
+                     ")}";
   }
 
   std::string of_name(const std::string& name) const {

@@ -2,6 +2,7 @@
 #include "analysis/program/tape.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/suggest.hpp"
@@ -45,12 +46,27 @@ bool mentions_a_name(const Expr& e) {
   return e->op == Op::name || std::ranges::any_of(e->operands, mentions_a_name);
 }
 
-void collect_counts(const std::vector<Statement>& block, std::vector<std::string>& names) {
+void collect_counts(const std::vector<Statement>& block, std::set<std::string>& names) {
   for (const Statement& s : block) {
     if (s.kind != Statement::Kind::substeps) continue;
-    if (s.value->op == Op::name) names.push_back(s.value->name);
+    if (s.value->op == Op::name) names.insert(s.value->name);
     collect_counts(s.body, names);
   }
+}
+
+void collect_names(const Expr& e, std::set<std::string>& names) {
+  if (e->op == Op::name) names.insert(e->name);
+  for (const Expr& operand : e->operands) collect_names(operand, names);
+}
+
+/// The parameters that must be numbers even in symbolic problems: counts of substeps, and what their defaults
+/// are made of.
+std::set<std::string> needed_as_numbers(const Program& program) {
+  std::set<std::string> names;
+  collect_counts(program.step, names);
+  for (std::size_t i = program.parameters.size(); i-- > 0;)
+    if (names.contains(program.parameters[i].name)) collect_names(program.parameters[i].fallback, names);
+  return names;
 }
 
 class Lowering {
@@ -60,15 +76,13 @@ class Lowering {
     tape_.name = program.name;
     scalars_ = {{"h", Tape::kStep}, {"t", Tape::kTimeRegister}};
     tape_.scalar_registers = 2;
-    std::vector<std::string> counts;
-    collect_counts(program.step, counts);
+    const std::set<std::string> numbers = needed_as_numbers(program);
     tape_.scalar_registers +=
         static_cast<int>(program.parameters.size());  // temporaries of the defaults come after them
     for (const Parameter& p : program.parameters) {
       const int slot = 2 + static_cast<int>(tape_.parameters.size());
       Tape::ParameterSlot parameter{p.name, {}, mentions_a_name(p.fallback), {}};
-      if (given.contains(p.name) || std::ranges::find(counts, p.name) != counts.end())
-        parameter.fixed = values_.at(p.name);
+      if (given.contains(p.name) || numbers.contains(p.name)) parameter.fixed = values_.at(p.name);
       block_ = &parameter.fallback;
       scalar_into(p.fallback, slot);
       scalars_[p.name] = slot;
