@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/motion/faulhaber.hpp"
+
+#include <doctest/doctest.h>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/problems/letters.hpp"
+
+using namespace shortfall;
+
+TEST_CASE("the sums of powers are what adding up gives, to degree 50") {
+  const auto sums = power_sums(50);
+  for (int m = 0; m <= 50; ++m) {
+    Rational total;
+    for (int n = 0; n <= 60; ++n) {
+      Rational value;
+      for (int j = m + 1; j >= 0; --j) value = value * n + sums[m][j];
+      CHECK(value == total);
+      total += m == 0 ? Rational(1) : Rational(n).pow(m);
+    }
+  }
+}
+
+TEST_CASE("the coefficients of n are Bernoulli's numbers") {
+  const auto sums = power_sums(50);
+  CHECK(sums[1][1] == Rational(-1, 2));
+  CHECK(sums[2][1] == Rational(1, 6));
+  CHECK(sums[12][1] == Rational(-691, 2730));
+  CHECK(sums[50][1].str() == "495057205241079648212477525/66");
+}
+
+TEST_CASE("a sum over k of a polynomial in k and letters") {
+  const Fraction n = Fraction::letter(kCount);
+  const Fraction h = Fraction::letter(kStepLetter);
+  // Gauss: h (0 + 1 + ... + (n-1)) + n/(1+h)
+  const Fraction p = h * n + Fraction(1) / (Fraction(1) + h);
+  CHECK(indefinite_sum(p, kCount) == h * n * (n - Fraction(1)) / Fraction(2) + n / (Fraction(1) + h));
+  CHECK_THROWS_AS(indefinite_sum(Fraction(1) / n, kCount), Undefined);
+}
