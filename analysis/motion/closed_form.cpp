@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/algebra/linear_solve.hpp"
 #include "analysis/motion/faulhaber.hpp"
 #include "analysis/motion/spectrum.hpp"
 
@@ -84,6 +85,37 @@ bool shows(const StepMap& map, const Column& part) {
   return false;
 }
 
+Fraction weighted(const LinearForm& row, const Column& state) {
+  Fraction total;
+  for (std::size_t s = 0; s < state.size(); ++s)
+    if (!row[static_cast<int>(s)].is_zero()) total += row[static_cast<int>(s)] * state[s];
+  return total;
+}
+
+/// The polynomials q in n with q(n+1) - M q(n) = b(n), on the part of the space where 1 is no eigenvalue of M.
+Column particular_of_rest(const Matrix& m, const Matrix& projector, const Column& b) {
+  const int size = static_cast<int>(m.size());
+  // (1 - M) on the rest, 1 elsewhere: invertible.
+  Matrix a = identity_matrix(size);
+  const Matrix mp = m * projector;
+  for (int i = 0; i < size; ++i)
+    for (int j = 0; j < size; ++j) a[i][j] -= mp[i][j];
+  int degree = -1;
+  for (const Fraction& entry : b) degree = std::max(degree, entry.numerator().degree(kCount));
+  std::vector<Column> q(degree + 1);
+  Column total(size);
+  for (int j = degree; j >= 0; --j) {
+    Column right(size);
+    for (int s = 0; s < size; ++s) {
+      if (!b[s].is_zero()) right[s] = Fraction(b[s].numerator().coefficient(kCount, j), b[s].denominator());
+      for (int i = j + 1; i <= degree; ++i) right[s] -= Fraction(binomial(i, j)) * q[i][s];
+    }
+    q[j] = *solve_linear(a, right).solution;
+    for (int s = 0; s < size; ++s) total[s] += q[j][s] * Fraction::letter(kCount).pow(j);
+  }
+  return total;
+}
+
 Sequence combined(const LinearForm& row, const std::vector<Motion>& states, int column, const LinearForce& force) {
   Sequence result;
   for (int s = 0; s < force.states; ++s)
@@ -93,6 +125,24 @@ Sequence combined(const LinearForm& row, const std::vector<Motion>& states, int 
 }
 
 }  // namespace
+
+Fraction Oscillation::at(const std::vector<Fraction>& first, int n) const {
+  std::vector<Fraction> window = first;
+  for (int k = 0; k < n; ++k) {
+    Fraction next;
+    for (int j = 0; j < order(); ++j) next -= polynomial[j] * window[j];
+    window.erase(window.begin());
+    window.push_back(std::move(next));
+  }
+  return window.front();
+}
+
+Fraction motion_at(const ClosedForm& form, bool position, int n, std::size_t column) {
+  Fraction value = (position ? form.position : form.velocity)[column].at(n);
+  if (!form.oscillation.is_zero())
+    value += form.oscillation.at((position ? form.oscillation.position : form.oscillation.velocity)[column], n);
+  return value;
+}
 
 Motion operator-(const Motion& a, const Motion& b) {
   Motion result = a;
@@ -114,12 +164,16 @@ ClosedForm closed_form(const StepMap& map) {
   for (const auto& row : all)
     for (const Fraction& entry : row)
       if (entry.contains(kCount)) throw Unable("the coefficients of the step depend on t, so its n-step map has no closed form of this kind");
-  const std::vector<SpectralPart> parts = spectral_parts(matrix);
+  const Spectrum parts = spectrum(matrix);
+  const int order = parts.rest_size();
 
   ClosedForm form;
   form.degree = force.degree;
-  for (const SpectralPart& part : parts) form.spectrum.emplace_back(part.value, part.multiplicity);
+  for (const SpectralPart& part : parts.parts) form.spectrum.emplace_back(part.value, part.multiplicity);
   form.states.assign(force.states, Motion(columns));
+  form.oscillation.polynomial = parts.rest;
+  form.oscillation.position.assign(columns, {});
+  form.oscillation.velocity.assign(columns, {});
   for (int column = 0; column < columns; ++column) {
     const int source = column < 2 ? column : force.force_column(column - 2);
     Column first;
@@ -130,13 +184,25 @@ ClosedForm closed_form(const StepMap& map) {
     }
     std::vector<Sequence> motion(force.states);
     std::vector<Column> transient;
-    for (const SpectralPart& part : parts) {
+    for (const SpectralPart& part : parts.parts) {
       add_part(part, first, drive, motion, transient);
     }
     // What starts inside the nilpotent part dies after a few steps; until then the closed form does not hold where it shows.
     for (Column left : transient)
       for (int n = 0; n < force.states && !all_zero(left); ++n, left = times(matrix, left))
         if (shows(map, left)) form.valid_from = std::max(form.valid_from, n + 1);
+    if (order > 0) {
+      const Column q = particular_of_rest(matrix, parts.rest_projector, times(parts.rest_projector, drive));
+      Column free = times(parts.rest_projector, first);
+      for (int s = 0; s < force.states; ++s) {
+        motion[s] += Sequence(q[s]);
+        free[s] -= q[s].substitute(kCount, Fraction(0));
+      }
+      for (int j = 0; j < order; ++j, free = times(matrix, free)) {
+        form.oscillation.position[column].push_back(weighted(map.position, free));
+        form.oscillation.velocity[column].push_back(weighted(map.velocity, free));
+      }
+    }
     for (int s = 0; s < force.states; ++s) form.states[s][column] = motion[s];
   }
   for (int column = 0; column < columns; ++column) {
@@ -179,7 +245,7 @@ MotionProof prove(const StepMap& map, const ClosedForm& form) {
       const LinearForm truth = reported(*row, values[n], n, states);
       for (std::size_t column = 0; column < motion->size(); ++column) {
         const int source = column < 2 ? static_cast<int>(column) : map.force.force_column(static_cast<int>(column) - 2);
-        if (!((*motion)[column].at(n) == truth[source])) return proof;
+        if (!(motion_at(form, motion == &form.position, n, column) == truth[source])) return proof;
       }
     }
   }

@@ -79,6 +79,8 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
   d.substeps = substeps;
   d.map = step_map(tape, degree);
   d.form = closed_form(d.map);
+  if (!d.form.oscillation.is_zero())
+    throw Unable("an eigenvalue of the step is no rational function of its letters: without a force the body would oscillate");
   d.proof = prove(d.map, d.form);
   const Motion x = exact_position(degree);
   const Motion v = exact_velocity(degree);

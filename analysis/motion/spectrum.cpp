@@ -27,7 +27,43 @@ bool is_unipotent(const Matrix& m) {
   return is_zero(power);
 }
 
-std::vector<std::pair<Fraction, int>> eigenvalues(const Matrix& m) {
+std::vector<Fraction> product(const std::vector<Fraction>& a, const std::vector<Fraction>& b) {
+  std::vector<Fraction> result(a.size() + b.size() - 1);
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < b.size(); ++j) result[i + j] += a[i] * b[j];
+  return result;
+}
+
+/// p(M), lowest power first.
+Matrix evaluated_at(const std::vector<Fraction>& p, const Matrix& m) {
+  const int size = static_cast<int>(m.size());
+  Matrix result(size, std::vector<Fraction>(size));
+  for (std::size_t k = p.size(); k-- > 0;) {
+    result = result * m;
+    for (int i = 0; i < size; ++i) result[i][i] += p[k];
+  }
+  return result;
+}
+
+/// p(z + s) up to s^(count-1), for p lowest power first.
+std::vector<Fraction> taylor(std::vector<Fraction> p, const Fraction& at, int count) {
+  std::vector<Fraction> result;
+  for (int k = 0; k < count; ++k) {
+    // Divide by z - at (Horner): the remainder is the next coefficient.
+    Fraction carry;
+    for (std::size_t i = p.size(); i-- > 0;) {
+      const Fraction next = p[i] + carry * at;
+      p[i] = carry;
+      carry = next;
+    }
+    result.push_back(carry);
+    if (!p.empty()) p.pop_back();
+  }
+  return result;
+}
+
+/// The rational eigenvalues with their multiplicities; the product of the other factors goes to `rest`.
+std::vector<std::pair<Fraction, int>> eigenvalues(const Matrix& m, std::vector<Fraction>& rest) {
   const std::vector<Fraction> p = characteristic_polynomial(m);
   Polynomial common = 1;
   for (const Fraction& c : p) common = common * exact_quotient(c.denominator(), gcd(common, c.denominator()));
@@ -39,8 +75,13 @@ std::vector<std::pair<Fraction, int>> eigenvalues(const Matrix& m) {
   for (const auto& [factor, multiplicity] : factor(cleared).factors) {
     const int degree = factor.degree(kTimeLetter);
     if (degree == 0) continue;
-    if (degree > 1)
-      throw Unable("an eigenvalue of the step is no rational function of its letters; such motions have no closed form of this kind");
+    if (degree > 1) {
+      const Fraction leading = factor.coefficient(kTimeLetter, degree);
+      std::vector<Fraction> monic;
+      for (const Polynomial& c : factor.coefficients(kTimeLetter)) monic.push_back(Fraction(c) / leading);
+      for (int k = 0; k < multiplicity; ++k) rest = product(rest, monic);
+      continue;
+    }
     values.emplace_back(-Fraction(factor.coefficient(kTimeLetter, 0), factor.coefficient(kTimeLetter, 1)), multiplicity);
   }
   return values;
@@ -81,40 +122,35 @@ std::vector<Fraction> characteristic_polynomial(const Matrix& m) {
   return p;
 }
 
-std::vector<SpectralPart> spectral_parts(const Matrix& m) {
+Spectrum spectrum(const Matrix& m) {
   const int size = static_cast<int>(m.size());
-  if (is_unipotent(m)) return {{1, size, identity_matrix(size), shifted(m, 1)}};
-  const auto values = eigenvalues(m);
-  std::vector<SpectralPart> parts;
+  Spectrum result;
+  if (is_unipotent(m)) {
+    result.parts.push_back({1, size, identity_matrix(size), shifted(m, 1)});
+    return result;
+  }
+  const auto values = eigenvalues(m, result.rest);
+  result.rest_projector = identity_matrix(size);
   for (const auto& [value, multiplicity] : values) {
-    // 1/g as a power series in z - value, where g is the product of the other factors; then the projector is g(M) (1/g)(M).
-    std::vector<Fraction> g(multiplicity);
-    g[0] = 1;
-    Matrix others = identity_matrix(size);
-    for (const auto& [other, times] : values) {
-      if (other == value) continue;
-      for (int k = 0; k < times; ++k) {
-        for (int j = multiplicity - 1; j >= 0; --j) g[j] = g[j] * (value - other) + (j > 0 ? g[j - 1] : Fraction());
-        others = others * shifted(m, other);
-      }
-    }
+    // With g the product of the other factors and 1/g its inverse as a power series in z - value, the projector is g(M) (1/g)(M).
+    std::vector<Fraction> others = result.rest;
+    for (const auto& [other, times] : values)
+      for (int k = 0; k < times && !(other == value); ++k) others = product(others, {-other, 1});
+    const std::vector<Fraction> g = taylor(others, value, multiplicity);
     std::vector<Fraction> inverse(multiplicity);
     inverse[0] = Fraction(1) / g[0];
     for (int j = 1; j < multiplicity; ++j) {
       for (int i = 1; i <= j; ++i) inverse[j] -= g[i] * inverse[j - i];
       inverse[j] /= g[0];
     }
-    Matrix series(size, std::vector<Fraction>(size));
-    Matrix power = identity_matrix(size);
     const Matrix n = shifted(m, value);
-    for (int j = 0; j < multiplicity; ++j, power = power * n)
-      for (int r = 0; r < size; ++r)
-        for (int c = 0; c < size; ++c) series[r][c] += inverse[j] * power[r][c];
-    SpectralPart part{value, multiplicity, others * series, {}};
+    SpectralPart part{value, multiplicity, evaluated_at(others, m) * evaluated_at(inverse, n), {}};
     part.nilpotent = n * part.projector;
-    parts.push_back(std::move(part));
+    for (int r = 0; r < size; ++r)
+      for (int c = 0; c < size; ++c) result.rest_projector[r][c] -= part.projector[r][c];
+    result.parts.push_back(std::move(part));
   }
-  return parts;
+  return result;
 }
 
 }  // namespace shortfall

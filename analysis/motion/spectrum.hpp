@@ -25,9 +25,18 @@ struct SpectralPart {
   Matrix nilpotent;
 };
 
-/// The spectral decomposition of a matrix of rational functions whose eigenvalues are rational functions too.
+/// The spectral decomposition of a matrix of rational functions, as far as its eigenvalues are rational functions too.
 ///
-/// throws  Unable  when an eigenvalue is irrational
-std::vector<SpectralPart> spectral_parts(const Matrix& m);
+/// The others are kept together: `rest` is the monic product of their factors of the characteristic polynomial (lowest power first; {1} when
+/// there is none) and `rest_projector` projects on their part of the space.
+struct Spectrum {
+  std::vector<SpectralPart> parts;
+  std::vector<Fraction> rest{Fraction(1)};
+  Matrix rest_projector;
+
+  int rest_size() const { return static_cast<int>(rest.size()) - 1; }
+};
+
+Spectrum spectrum(const Matrix& m);
 
 }  // namespace shortfall
