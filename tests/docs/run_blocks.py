@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Runs every command of the ```console blocks of documents again and compares what it prints.
+
+A line `$ command` is run in an empty directory with shortfall on the PATH; the lines up to the next `$` or the end of the block must be its
+output (stdout and stderr together). A line `...` stands for any number of lines. `# exit N` as the last line states the exit code.
+Usage: run_blocks.py SHORTFALL DOCUMENT...
+"""
+import difflib
+import os
+import subprocess
+import sys
+import tempfile
+
+
+def blocks(path):
+    """(line number, command, expected lines) of every command in a document."""
+    inside, found = False, []
+    for number, line in enumerate(open(path, encoding="utf-8"), 1):
+        line = line.rstrip("\n")
+        if line.startswith("```"):
+            inside = line.strip() == "```console"
+        elif inside and line.startswith("$ "):
+            found.append((number, line[2:], []))
+        elif inside and found:
+            found[-1][2].append(line)
+    return found
+
+
+def matches(expected, actual):
+    """Whether the lines agree, `...` standing for any lines."""
+    if not expected:
+        return not actual
+    if expected[0].strip() == "...":
+        return any(matches(expected[1:], actual[i:]) for i in range(len(actual) + 1))
+    return bool(actual) and expected[0].rstrip() == actual[0].rstrip() and matches(expected[1:], actual[1:])
+
+
+def main():
+    shortfall, documents = os.path.abspath(sys.argv[1]), sys.argv[2:]
+    passed = failed = 0
+    for document in documents:
+        with tempfile.TemporaryDirectory() as folder:
+            environment = dict(os.environ, PATH=os.path.dirname(shortfall) + os.pathsep + os.environ["PATH"], NO_COLOR="1")
+            for number, command, expected in blocks(document):
+                code = 0
+                while expected and (expected[-1] == "" or expected[-1].startswith("# exit ")):
+                    last = expected.pop()
+                    code = int(last.split()[-1]) if last else code
+                run = subprocess.run(command, shell=True, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=120)
+                actual = run.stdout.decode("utf-8").rstrip("\n").split("\n") if run.stdout else []
+                if run.returncode == code and matches(expected, actual):
+                    passed += 1
+                    continue
+                failed += 1
+                print(f"{document}:{number}: $ {command}\n  exit code {run.returncode}, expected {code}")
+                print("\n".join("  " + line for line in difflib.unified_diff(expected, actual, "document", "today", lineterm="", n=1)))
+    print(f"{passed} commands as printed, {failed} not")
+    return 1 if failed or not passed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
