@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/motion/formula.hpp"
+#include "analysis/motion/formula_text.hpp"
 #include "analysis/program/print.hpp"
 
 namespace shortfall {
@@ -36,27 +37,6 @@ struct Shortfall {
   }
 };
 
-/// A coefficient in the letters of a claim, with t for n h where that leaves no h below.
-std::string coefficient_text(const Fraction& coefficient, const std::vector<std::string>& letters) {
-  const Fraction in_time =
-      coefficient.substitute(kCount, Fraction::letter(kTimeLetter) / Fraction::letter(kStepLetter));
-  const bool shorter = !in_time.denominator().contains(kStepLetter);
-  return (shorter ? in_time : coefficient).str(letters);
-}
-
-/// "(-1/2*h*t)*a": for the reader of a refuted claim.
-std::string text(const Motion& motion, const std::vector<std::string>& letters) {
-  std::string result;
-  for (std::size_t column = 0; column < motion.size(); ++column)
-    for (const Sequence::Term& term : motion[column].terms()) {
-      const std::string power = term.base == Fraction(1) ? "" : "(" + term.base.str(letters) + ")^n*";
-      const std::string letter = column == 0 ? "x0" : column == 1 ? "v0" : "a";
-      result += (result.empty() ? "" : " + ") + power + "(" + coefficient_text(term.coefficient, letters) +
-                ")*" + letter;
-    }
-  return result.empty() ? "0" : result;
-}
-
 ClaimVerdict shortfall_verdict(const Program& program, const Claim& claim, const Shortfall& constant) {
   const bool of_position = claim.word == "shortfall";
   const Motion& exact = of_position ? exact_position(0) : exact_velocity(0);
@@ -69,7 +49,8 @@ ClaimVerdict shortfall_verdict(const Program& program, const Claim& claim, const
     for (std::size_t column = 0; column < value.size(); ++column)
       holds = holds && claimed[column].at(n) == value[column];
   }
-  return {claim.word + " " + print(claim.value), holds, claim.word + " " + text(found, constant.map.letters)};
+  return {claim.word + " " + print(claim.value), holds,
+          claim.word + " " + print(formula(found, 0, {constant.map.letters, "n", true}))};
 }
 
 /// The highest degree of a force polynomial up to which a motion is exact, at most the one it was computed

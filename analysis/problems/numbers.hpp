@@ -14,15 +14,18 @@
 
 namespace shortfall {
 
-/// How a rational becomes a number of type T: one correct rounding (none for Rational and Surd).
+/// How a rational becomes a number of type T: one correct rounding, none for Rational and Surd. Numbers whose
+/// precision is chosen at run time have no rounding of their own: it must be given.
 template <class T>
-T rounded(const Rational& value) {
+std::function<T(const Rational&)> usual_rounding() {
   if constexpr (std::is_same_v<T, float>)
-    return value.to_float();
+    return [](const Rational& value) { return value.to_float(); };
   else if constexpr (std::is_same_v<T, double>)
-    return value.to_double();
+    return [](const Rational& value) { return value.to_double(); };
+  else if constexpr (std::is_constructible_v<T, const Rational&>)
+    return [](const Rational& value) { return T(value); };
   else
-    return T(value);
+    return {};
 }
 
 /// One body on a line, in numbers of any kind: a trajectory.
@@ -34,7 +37,7 @@ struct Numbers {
   using Vector = T;
 
   std::function<T(const T& x, const T& v, const T& t)> force;
-  std::function<T(const Rational&)> round = rounded<T>;
+  std::function<T(const Rational&)> round = usual_rounding<T>();
 
   Scalar number(const Rational& value) const { return round(value); }
   std::optional<Scalar> parameter(int, bool) const { return std::nullopt; }

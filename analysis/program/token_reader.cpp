@@ -10,7 +10,7 @@ namespace shortfall {
 namespace {
 
 constexpr int kDeepest = 200;
-constexpr int kMostNodes = 5000;
+constexpr int kMostNodes = 1000;
 constexpr int kHighestDimension = 20;
 
 struct Deeper {

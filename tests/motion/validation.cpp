@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "analysis/algebra/real.hpp"
+#include "analysis/motion/closed_form.hpp"
+#include "analysis/problems/numbers.hpp"
+#include "analysis/program/catalogue.hpp"
+#include "analysis/program/parse.hpp"
+#include "analysis/program/run.hpp"
+#include "tests/motion/random_integrator.hpp"
+
+using namespace shortfall;
+using shortfall::testing::Chance;
+
+namespace {
+
+constexpr int kHighestDegree = 6;
+constexpr int kSteps = 12;
+constexpr int kDigits = 100;
+
+/// Everything that is a letter in a closed form, as numbers.
+struct Trial {
+  Rational x0, v0, h;
+  std::vector<Rational> force;  ///< f0, f1, ...
+  Values parameters;
+
+  Trial(Chance& chance, const Program& program, int degree)
+      : x0(chance.rational()), v0(chance.rational()), h(chance.rational().abs() + Rational(1, 10)) {
+    for (int d = 0; d <= degree; ++d) force.push_back(chance.rational());
+    // Some parameters get values, the others keep their defaults, also those that follow from others.
+    for (const Parameter& p : program.parameters)
+      if (chance.once_in(2)) parameters[p.name] = chance.rational();
+  }
+};
+
+/// The motion's value at the numbers of a trial, by the closed form.
+Rational value(const Motion& motion, int n, const Trial& trial, std::map<Letter, Rational> letters) {
+  letters[kCount] = n;
+  Rational sum;
+  for (std::size_t column = 0; column < motion.size(); ++column) {
+    const Rational& amount = column == 0 ? trial.x0 : column == 1 ? trial.v0 : trial.force[column - 2];
+    for (const Sequence::Term& term : motion[column].terms())
+      sum += amount * term.coefficient.evaluate(letters) * term.base.evaluate(letters).pow(n);
+  }
+  return sum;
+}
+
+/// x and v read out after 0..kSteps steps, in any kind of number.
+template <class T>
+std::vector<std::pair<T, T>> stepped(const Program& program, const Trial& trial,
+                                     std::function<T(const Rational&)> round) {
+  Numbers<T> problem;
+  problem.round = round;
+  std::vector<T> force;
+  for (const Rational& f : trial.force) force.push_back(round(f));
+  problem.force = [&force](const T&, const T&, const T& t) {
+    T sum = force.back();
+    for (std::size_t d = force.size() - 1; d-- > 0;) sum = sum * t + force[d];
+    return sum;
+  };
+  const Tape tape = lower(program, trial.parameters);
+  Run<Numbers<T>> run(tape, problem, round(trial.h));
+  run.begin(round(trial.x0), round(trial.v0), round(0));
+  std::vector<std::pair<T, T>> result{run.read_out()};
+  for (int n = 1; n <= kSteps; ++n) {
+    run.step();
+    result.push_back(run.read_out());
+  }
+  return result;
+}
+
+struct Count {
+  int exact = 0;
+  int rounded = 0;
+  int undefined = 0;
+};
+
+/// Holds a closed form, its parameters kept as letters, against stepping in rationals and at 100 digits.
+void validate(const Program& program, const ClosedForm& form, const Trial& trial, Count& count) {
+  std::map<Letter, Rational> letters{{kStepLetter, trial.h}};
+  const Values values = parameter_values(program, trial.parameters);
+  for (std::size_t i = 0; i < program.parameters.size(); ++i)
+    letters[kFirstParameter + static_cast<Letter>(i)] = values.at(program.parameters[i].name);
+
+  const auto exact = stepped<Rational>(program, trial, [](const Rational& r) { return r; });
+  const auto rounded = stepped<Real>(program, trial, [](const Rational& r) { return real(r, kDigits); });
+  Rational largest = 1;
+  for (const auto& [x, v] : exact) largest = std::max({largest, x.abs(), v.abs()});
+  // A few hundred roundings of 10^-100 each, and what cancels between them: ten digits are more than enough.
+  const Real bound = real(largest * Rational(10).pow(10 - kDigits), kDigits);
+  for (int n = form.valid_from; n <= kSteps; ++n) {
+    CAPTURE(n);
+    const Rational x = value(form.position, n, trial, letters);
+    const Rational v = value(form.velocity, n, trial, letters);
+    CHECK(x == exact[n].first);
+    CHECK(v == exact[n].second);
+    CHECK(abs(Real(rounded[n].first - real(x, kDigits))) <= bound);
+    CHECK(abs(Real(rounded[n].second - real(v, kDigits))) <= bound);
+    ++count.exact;
+    ++count.rounded;
+  }
+}
+
+/// With letters for the parameters that the trial leaves alone and for those that it gives: a closed form of
+/// the program as it stands.
+void validate_letters(const Program& program, int degree, Chance& chance, int trials, Count& count) {
+  CAPTURE(program.name);
+  CAPTURE(degree);
+  const ClosedForm form = closed_form(step_map(lower(program), degree));
+  for (int k = 0; k < trials; ++k) {
+    Trial trial(chance, program, degree);
+    // A default that follows from others is no letter: it must not be given here.
+    const Tape tape = lower(program);
+    for (const Tape::ParameterSlot& slot : tape.parameters)
+      if (slot.derived) trial.parameters.erase(slot.name);
+    try {
+      validate(program, form, trial, count);
+    } catch (const Undefined&) {  // the numbers drawn make a stage singular
+      ++count.undefined;
+    }
+  }
+}
+
+}  // namespace
+
+TEST_CASE(
+    "closed forms of the catalogue agree with stepping, exactly in rationals and to rounding at 100 digits") {
+  const Precision digits(kDigits);
+  Chance chance(20);
+  Count count;
+  for (const Program& program : catalogue())
+    for (int degree = 0; degree <= kHighestDegree; ++degree)
+      validate_letters(program, degree, chance, 4, count);
+  CHECK(count.exact >= 27 * 7 * 4 * kSteps * 9 / 10);
+  CHECK(count.undefined <= 10);
+}
+
+TEST_CASE("closed forms with parameters that the user gives agree with stepping") {
+  const Precision digits(kDigits);
+  Chance chance(21);
+  Count count;
+  for (const Program& program : catalogue()) {
+    if (program.parameters.empty()) continue;
+    for (int k = 0; k < 10; ++k) {
+      const int degree = chance.number(0, kHighestDegree);
+      const Trial trial(chance, program, degree);
+      CAPTURE(program.name);
+      try {
+        const ClosedForm form = closed_form(step_map(lower(program, trial.parameters), degree));
+        validate(program, form, trial, count);
+      } catch (const Undefined&) {
+        ++count.undefined;
+      }
+    }
+  }
+  CHECK(count.exact >= 100);
+}
+
+TEST_CASE("closed forms of integrators that a user may write agree with stepping") {
+  const Precision digits(kDigits);
+  Chance chance(22);
+  for (const auto& [what, text] : testing::random_integrators(chance, 60)) {
+    CAPTURE(text);
+    const Program program = parse(text, what + ".integrator");
+    Count count;
+    validate_letters(program, chance.number(0, kHighestDegree), chance, 4, count);
+    CHECK(count.exact >= kSteps);
+  }
+}

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every number and every sign of every catalogue file is changed, one at a time; each change that acts under
+// a force a(t) must turn a test red: the claims of the file, or the shortfalls in tests/data.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/motion/claims.hpp"
+#include "analysis/program/catalogue_data.hpp"
+#include "tests/motion/golden_shortfalls.hpp"
+
+using namespace shortfall;
+
+namespace {
+
+/// A part of a file that is to be replaced, and what by.
+struct Mutation {
+  std::size_t begin;
+  std::size_t length;
+  std::string with;
+};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_of_a_name(char c) {
+  return is_digit(c) || (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+}
+
+/// Where the coefficients of a line lie: behind the sign of an assignment or a bar, or all of a line that
+/// goes on.
+std::size_t coefficients_begin(const std::string& line, const std::string& block) {
+  if (block == "expect" || line.find('#') != std::string::npos) return std::string::npos;
+  if (block == "tableau") return 0;
+  const std::size_t equals = line.find('=');
+  if (block.empty()) return line.find("param") == std::string::npos ? std::string::npos : equals;
+  return equals == std::string::npos ? 0 : equals;
+}
+
+/// Three changes of every number, one of every sign.
+void mutate_line(const std::string& line, std::size_t offset, std::size_t from,
+                 std::vector<Mutation>& mutations) {
+  for (std::size_t i = from; i < line.size(); ++i) {
+    if (is_of_a_name(line[i]) && !is_digit(line[i])) {
+      while (i + 1 < line.size() && is_of_a_name(line[i + 1])) ++i;
+    } else if (is_digit(line[i])) {
+      std::size_t end = i;
+      while (end < line.size() && is_digit(line[end])) ++end;
+      const std::string number = line.substr(i, end - i);
+      for (const char* change : {"+1/7)", "*2)", "-1)"})
+        mutations.push_back({offset + i, end - i, "(" + number + change});
+      i = end - 1;
+    } else if (line[i] == '+' || line[i] == '-') {
+      mutations.push_back({offset + i, 1, line[i] == '+' ? "-" : "+"});
+    }
+  }
+}
+
+std::vector<Mutation> mutations(const std::string& text) {
+  static const std::vector<std::string> blocks{"start", "step", "finish", "tableau", "expect"};
+  std::vector<Mutation> result;
+  std::string block;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string line = text.substr(begin, end - begin);
+    if (std::ranges::find(blocks, line) != blocks.end()) {
+      block = line;
+    } else if (const std::size_t from = coefficients_begin(line, block); from != std::string::npos) {
+      mutate_line(line, begin, from, result);
+    }
+    begin = end + 1;
+  }
+  return result;
+}
+
+/// What is reported after the first steps under a force polynomial of degree 8: with the parameters as
+/// letters, and with their defaults.
+std::vector<LinearForm> first_steps(const Program& program) {
+  std::vector<LinearForm> result;
+  for (const Values& given : {Values(), parameter_values(program)}) {
+    const StepMap map = step_map(lower(program, given), 8);
+    int n = 0;
+    for (const auto& state : stepped(map, 8)) {
+      result.push_back(reported(map.position, state, n, map.force.states));
+      result.push_back(reported(map.velocity, state, n, map.force.states));
+      ++n;
+    }
+    if (program.parameters.empty()) break;
+  }
+  return result;
+}
+
+bool claims_hold(const Program& program) {
+  return std::ranges::all_of(claims(program), &ClaimVerdict::holds);
+}
+
+struct Count {
+  int tried = 0;
+  int refused = 0;  ///< no longer an integrator: a test that reads the catalogue turns red
+  int acting = 0;
+  int by_claims = 0;
+  int by_shortfalls = 0;
+  std::vector<std::string> escaped;
+};
+
+void try_mutation(const CatalogueFile& file, const Mutation& mutation,
+                  const std::vector<LinearForm>& original, const testing::GoldenShortfall& golden,
+                  Count& count) {
+  ++count.tried;
+  std::string text(file.text);
+  text.replace(mutation.begin, mutation.length, mutation.with);
+  Program mutant;
+  try {
+    mutant = parse(text, std::string(file.path));
+    lower(mutant);
+  } catch (const Error&) {
+    ++count.refused;
+    return;
+  }
+  try {
+    if (first_steps(mutant) == original) return;
+  } catch (const Undefined&) {  // a stage has become singular
+  }
+  ++count.acting;
+  const auto caught = [](const auto& test) {
+    try {
+      return !test();
+    } catch (const Error&) {
+      return true;
+    }
+  };
+  if (caught([&] { return claims_hold(mutant); })) {
+    ++count.by_claims;
+  } else if (caught([&] { return golden.agrees(mutant); })) {
+    ++count.by_shortfalls;
+  } else {
+    const auto line = std::ranges::count(text.substr(0, mutation.begin), '\n') + 1;
+    count.escaped.push_back(std::string(file.path) + ":" + std::to_string(line) + ": " +
+                            std::string(file.text.substr(mutation.begin, mutation.length)) + " -> " +
+                            mutation.with);
+  }
+}
+
+}  // namespace
+
+TEST_CASE("every changed coefficient of the catalogue that acts under a force a(t) turns a test red") {
+  const auto golden = testing::golden_shortfalls();
+  Count count;
+  for (const CatalogueFile& file : catalogue_files()) {
+    const std::string text(file.text);
+    const Program program = parse(text, std::string(file.path));
+    const std::vector<LinearForm> original = first_steps(program);
+    for (const Mutation& mutation : mutations(text))
+      try_mutation(file, mutation, original, golden.at(program.name), count);
+  }
+  MESSAGE(count.tried << " mutations: " << count.refused << " are no integrator any more, "
+                      << count.tried - count.refused - count.acting << " do not act under a(t), "
+                      << count.acting << " act; of these " << count.by_claims << " are caught by the claims, "
+                      << count.by_shortfalls << " by the shortfalls, " << count.escaped.size() << " escape");
+  for (const std::string& escaped : count.escaped) {
+    CAPTURE(escaped);
+    CHECK(false);
+  }
+  CHECK(count.acting >= 900);
+}
