@@ -19,9 +19,10 @@ int run(int argc, char** argv) {
   CLI::App app;
   int code = kDone;
   describe(app);
-  // add_jump(app, code);
+  add_jump(app, code);
   add_derive(app, code);
   add_correct(app, code);
+  add_export(app, code);
   add_verify(app, code);
   add_list(app, code);
   add_show(app, code);

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/correction/jump_flight.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "analysis/algebra/error.hpp"
@@ -58,7 +61,17 @@ struct Flight::Steps {
     return frames[n];
   }
 
-  void record() { frames.emplace_back(free.read_out().first, dropped.read_out().first); }
+  void record() {
+    frames.emplace_back(free.read_out().first, dropped.read_out().first);
+    rounded.emplace_back(frames.back().first.to_double(), frames.back().second.to_double());
+  }
+
+  /// launch * rise - g * fall of a frame in binary64, and more than its error.
+  std::pair<double, double> near(std::size_t n, double launch, double g) const {
+    constexpr double kManyRoundings = 1e-14;
+    const double up = launch * rounded[n].first, down = g * rounded[n].second;
+    return {up - down, kManyRoundings * (std::abs(up) + std::abs(down)) + std::numeric_limits<double>::min()};
+  }
 
   Tape tape;
   Numbers<Rational> weightless = constant_force(0);
@@ -66,6 +79,7 @@ struct Flight::Steps {
   Run<Numbers<Rational>> free;
   Run<Numbers<Rational>> dropped;
   std::vector<std::pair<Rational, Rational>> frames;  ///< rise and fall
+  std::vector<std::pair<double, double>> rounded;     ///< the same
 };
 
 Flight::Flight(const Program& program, const Rational& dt, int substeps, const Values& given)
@@ -150,14 +164,21 @@ Frame Flight::highest(const Surd& launch, const Rational& g) const {
 }
 
 Frame Flight::highest_by_steps(const Surd& launch, const Rational& g) const {
-  Frame best{0, height(launch, g, 0)};
-  const Surd ground = best.height;
+  // Binary64 decides wherever the difference is beyond its error; the other comparisons are exact.
+  const double launch_near = launch.to_double(), g_near = g.to_double();
+  const auto above = [&](int n, int m) {
+    stepped(std::max(n, m));
+    const auto [a, error_a] = steps_->near(static_cast<std::size_t>(n), launch_near, g_near);
+    const auto [b, error_b] = steps_->near(static_cast<std::size_t>(m), launch_near, g_near);
+    if (std::abs(a - b) > error_a + error_b) return a > b;
+    return height(launch, g, n) > height(launch, g, m);
+  };
+  int best = 0;
   for (int n = 1; n <= kStepped; ++n) {
-    Surd there = height(launch, g, n);
-    if (there > best.height)
-      best = {n, std::move(there)};
-    else if (n > settled_ + 1 && there <= ground)
-      return best;
+    if (above(n, best))
+      best = n;
+    else if (n > settled_ + 1 && !above(n, 0))
+      return {best, height(launch, g, best)};
   }
   throw Unable("the body is not back on the ground after " + std::to_string(kStepped) +
                " frames, and the flight of " + program_.name + " has no closed form that is a parabola");

@@ -30,7 +30,7 @@ class Flight {
   /// Coefficients of 1, n, n^2.
   using Parabola = std::array<Rational, 3>;
 
-  static constexpr int kStepped = 5000;  ///< how many frames are stepped where there is no closed form
+  static constexpr int kStepped = 2000;  ///< how many frames are stepped where there is no closed form
 
   /// param   dt  seconds a frame
   /// throws  BadInput  when dt is not positive, for a value of an unknown parameter, or a wrong number of

@@ -81,6 +81,11 @@ LiftOff lift_off(const Flight& flight, const Rational& g) {
   LiftOff result;
   if (!flight.parabolic()) {
     result.reason = "the flight has no closed form that is a parabola";
+    if (flight.rise(1).sign() > 0) {
+      const Rational first = std::max(Rational(0), flight.fall(1) / flight.rise(1));
+      result.reason += "; frame 1 is above the ground if and only if H > " +
+                       (g * first * first / 2).significant(6) + " m (rounded)";
+    }
     return result;
   }
   // Frame n is above the ground when launch > g fall(n) / rise(n). The least such quotient decides; from the

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cctype>
+#include <memory>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/correction/jump.hpp"
+#include "analysis/program/suggest.hpp"
+#include "cli/command.hpp"
+#include "cli/jump_render.hpp"
+#include "cli/output.hpp"
+#include "cli/quantity.hpp"
+#include "notebooks-export/code.hpp"
+
+namespace shortfall::cli {
+
+namespace {
+
+struct JumpOptions : Question {
+  std::string height;
+  std::string language;
+};
+
+/// The unit in which the user gave the height; empty for a bare number.
+std::string unit_of(const std::string& height) {
+  const std::string first = height.substr(0, height.find(':'));
+  std::size_t begin = first.size();
+  while (begin > 0 && std::isalpha(static_cast<unsigned char>(first[begin - 1]))) --begin;
+  const std::string unit = first.substr(begin);
+  return unit == "f" || unit == "d" ? "" : unit;
+}
+
+Language language_of(const std::string& word) {
+  if (const auto language = language_named(word)) return *language;
+  std::string known;
+  for (const std::string& name : language_names()) known += (known.empty() ? "" : ", ") + name;
+  throw BadInput("--lang '" + word.substr(0, 60) + "': we write " + known +
+                 did_you_mean(word, language_names()));
+}
+
+void jump(const JumpOptions& o) {
+  if (o.height.empty() && o.language.empty())
+    throw BadInput("--height is required, as in: shortfall jump --height 40cm");
+  std::vector<Rational> heights;
+  if (!o.height.empty()) heights = sweep(o.height, Unit::length, "--height");
+  const Rational g = o.gravity();
+  const Flight flight(o.program(), o.step(), o.substeps, o.values());
+  if (!o.language.empty()) {
+    write_output(jump_code(flight, g, language_of(o.language)), o.output);
+    return;
+  }
+  // A sweep shares what a single jump may spend on its search.
+  const std::int64_t frames = kBinary32Frames / static_cast<std::int64_t>(heights.size());
+  std::vector<Jump> jumps;
+  for (const Rational& height : heights) jumps.push_back(shortfall::jump(flight, height, g, frames));
+  const JumpWords words{unit_of(o.height), o.ascii};
+  if (o.json)
+    write_output(jump_json(jumps).dump(2) + "\n", o.output);
+  else if (o.csv)
+    write_output(jump_csv(jumps), o.output);
+  else
+    write_output(jumps.size() == 1 ? jump_text(jumps.front(), words) : jump_table(jumps, words), o.output);
+}
+
+}  // namespace
+
+void add_jump(CLI::App& app, int&) {
+  CLI::App* command = new_command(
+      app, "Start here", "jump", "How far a jump falls short, why, and the launch that makes it right.",
+      {"jump --height 40cm --dt 0.02", "jump velocity-verlet --height 1.7 --dt 50Hz --json",
+       "jump symplectic-euler --height 1.7m --substeps 4", "jump --height 1mm:100m:log:50 --csv",
+       "jump --lang csharp"});
+  auto o = std::make_shared<JumpOptions>();
+  add_integrator(*command, *o);
+  command->add_option("--height", o->height, "the height to jump to: 40cm, 1.7, or a sweep 1mm:100m:log:50")
+      ->type_name("H");
+  add_time_step(*command, *o);
+  add_gravity(*command, *o);
+  add_parameters(*command, *o);
+  command
+      ->add_option("--lang", o->language,
+                   "the corrected jump as code: csharp, cpp, gdscript, python, rust, javascript")
+      ->type_name("L");
+  add_json(*command, *o);
+  command->add_flag("--csv", o->csv,
+                    "one line a height, in metres and seconds, decimals rounded to 17 digits");
+  add_ascii(*command, *o);
+  add_output(*command, *o);
+  command->callback([o] { jump(*o); });
+}
+
+}  // namespace shortfall::cli

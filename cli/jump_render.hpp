@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/correction/jump.hpp"
+
+namespace shortfall::cli {
+
+/// How numbers are written for a person.
+struct JumpWords {
+  std::string unit;  ///< of heights: mm, cm, m, km or px; empty: chosen by size
+  bool ascii = false;
+};
+
+/// The answer first, then its parts, the meanings of peak, the corrections.
+std::string jump_text(const Jump& jump, const JumpWords& words);
+
+/// One line a height.
+std::string jump_table(const std::vector<Jump>& jumps, const JumpWords& words);
+std::string jump_csv(const std::vector<Jump>& jumps);
+
+/// Schema shortfall.jump/1; metres and seconds. Several jumps: the schema and a list `jumps`.
+nlohmann::ordered_json jump_json(const Jump& jump);
+nlohmann::ordered_json jump_json(const std::vector<Jump>& jumps);
+
+/// A binary32 number by the shortest decimal that reads back as itself, and in hexadecimal.
+std::string shortest(float value);
+std::string hexadecimal(float value);
+
+}  // namespace shortfall::cli
