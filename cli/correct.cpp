@@ -1,16 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
+#include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit.hpp"
+#include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
 #include "cli/force.hpp"
 #include "cli/output.hpp"
+#include "notebooks-export/code.hpp"
+#include "notebooks-export/code_kit.hpp"
 #include "notebooks-export/result_json.hpp"
 #include "notebooks-export/result_text.hpp"
 
 namespace shortfall::cli {
 
 namespace {
+
+std::string as_code(const Question& q, const std::string& word) {
+  const auto language = language_named(word);
+  if (!language)
+    throw BadInput("--lang '" + word.substr(0, 60) + "': unknown language" +
+                   did_you_mean(word, language_names()));
+  const int degree = force_degree(q.force);
+  if (degree == 0)
+    return jump_code(Flight(q.program(), q.step(), q.substeps, q.values()), q.gravity(), *language);
+  const Derivation d = derivation(q.program(), degree, q.values(), q.substeps, false);
+  return kit_code(correction_kit(d), d, *language);
+}
 
 int correct(const Question& q) {
   const Derivation d = derivation(q.program(), force_degree(q.force), q.values(), q.substeps, false);
@@ -20,7 +36,8 @@ int correct(const Question& q) {
   } else {
     const Style style = q.ascii ? Style::language : Style::unicode;
     write_output(d.integrator + ": " + line("shortfall x(t)-x_n", d.shortfall_position, style) + "\n" +
-                     std::string(d.integrator.size() + 2, ' ') + line("shortfall v(t)-v_n", d.shortfall_velocity, style) + "\n" + as_text(kit, d, style),
+                     std::string(d.integrator.size() + 2, ' ') +
+                     line("shortfall v(t)-v_n", d.shortfall_velocity, style) + "\n" + as_text(kit, d, style),
                  q.output);
   }
   return kit.needed && !kit.best() ? kNotDerivable : kDone;
@@ -29,16 +46,32 @@ int correct(const Question& q) {
 }  // namespace
 
 void add_correct(CLI::App& app, int& code) {
-  CLI::App* command = new_command(app, "Start here", "correct", "The correction kit alone: what to add to launch, read-out, force or step.",
-                                  {"correct symplectic-euler --force constant", "correct explicit-euler --force poly:2 --json"});
+  CLI::App* command = new_command(
+      app, "Start here", "correct",
+      "The correction kit alone: what to add to launch, read-out, force or step.",
+      {"correct symplectic-euler --force constant", "correct symplectic-euler --force constant --lang csharp",
+       "correct explicit-euler --force poly:2 --json"});
   auto q = std::make_shared<Question>();
+  auto language = std::make_shared<std::string>();
   add_integrator(*command, *q);
   add_force(*command, *q);
   add_parameters(*command, *q);
+  command
+      ->add_option("--lang", *language,
+                   "as code: csharp, cpp, gdscript, python, rust, javascript; for a constant force, the "
+                   "corrected jump")
+      ->type_name("L");
+  add_time_step(*command, *q);
+  add_gravity(*command, *q);
   add_json(*command, *q);
   add_ascii(*command, *q);
   add_output(*command, *q);
-  command->callback([q, &code] { code = correct(*q); });
+  command->callback([q, language, &code] {
+    if (language->empty())
+      code = correct(*q);
+    else
+      write_output(as_code(*q, *language), q->output);
+  });
 }
 
 }  // namespace shortfall::cli

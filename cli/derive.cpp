@@ -12,12 +12,13 @@ namespace shortfall::cli {
 
 namespace {
 
-constexpr int kHighestWithKit = 30;      // solving for the kit grows with the cube of the degree
+constexpr int kHighestWithKit = 30;         // solving for the kit grows with the cube of the degree
 constexpr int kHighestWithDerivation = 30;  // nobody reads the lines of a higher one
 
 int derive(const Question& q) {
   const int degree = force_degree(q.force);
-  const Derivation d = derivation(q.program(), degree, q.values(), q.substeps, degree <= kHighestWithDerivation);
+  const Derivation d =
+      derivation(q.program(), degree, q.values(), q.substeps, degree <= kHighestWithDerivation);
   CorrectionKit kit;
   const bool with_kit = degree <= kHighestWithKit;
   if (with_kit) kit = correction_kit(d);
@@ -27,16 +28,20 @@ int derive(const Question& q) {
     write_output(as_latex(d, with_kit ? &kit : nullptr), q.output);
   else
     write_output(as_text(d, with_kit ? &kit : nullptr, q.ascii ? Style::language : Style::unicode), q.output);
-  if (!with_kit) say("shortfall: the derivation's lines and the correction kit are given up to degree 30; the closed form has no such limit");
+  if (!with_kit)
+    say("shortfall: the derivation's lines and the correction kit are given up to degree 30; the closed form "
+        "has no such limit");
   return d.proved() ? kDone : kBug;
 }
 
 }  // namespace
 
 void add_derive(CLI::App& app, int& code) {
-  CLI::App* command = new_command(app, "Start here", "derive", "The exact motion after n steps, its shortfall, the corrections, with proofs.",
-                                  {"derive symplectic-euler --force constant", "derive my-own.integrator --force poly:3 --latex",
-                                   "derive newmark --force poly:1 --param beta=1/6", "derive symplectic-euler --substeps 4 --json"});
+  CLI::App* command = new_command(
+      app, "Start here", "derive",
+      "The exact motion after n steps, its shortfall, the corrections, with proofs.",
+      {"derive symplectic-euler --force constant", "derive my-own.integrator --force poly:3 --latex",
+       "derive newmark --force poly:1 --param beta=1/6", "derive symplectic-euler --substeps 4 --json"});
   auto q = std::make_shared<Question>();
   add_integrator(*command, *q);
   add_force(*command, *q);

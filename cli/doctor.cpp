@@ -31,15 +31,18 @@ bool no_contraction() {
 
 std::vector<Finding> findings() {
   std::vector<Finding> list;
-  list.push_back({"float is binary32 and double is binary64 (IEEE 754)", std::numeric_limits<float>::is_iec559 && std::numeric_limits<double>::is_iec559});
+  list.push_back({"float is binary32 and double is binary64 (IEEE 754)",
+                  std::numeric_limits<float>::is_iec559 && std::numeric_limits<double>::is_iec559});
   list.push_back({"one operation, one rounding: a*b + c is not fused", no_contraction()});
   volatile double tiny = std::numeric_limits<double>::min();
   list.push_back({"subnormal numbers are not flushed to zero", tiny / 2 > 0});
   volatile double one = 1.0;
-  list.push_back({"rounding is to nearest, ties to even", one + 0x1p-53 == one && one + 3 * 0x1p-53 == one + 0x1p-51});
+  list.push_back(
+      {"rounding is to nearest, ties to even", one + 0x1p-53 == one && one + 3 * 0x1p-53 == one + 0x1p-51});
   int proved = 0;
   for (const Program& p : catalogue()) proved += derivation(p, 1, {}, 1, false).proved() ? 1 : 0;
-  list.push_back({fmt::format("{} of {} integrators derived and proved for a force linear in t", proved, catalogue().size()),
+  list.push_back({fmt::format("{} of {} integrators derived and proved for a force linear in t", proved,
+                              catalogue().size()),
                   proved == static_cast<int>(catalogue().size())});
   return list;
 }
@@ -47,7 +50,9 @@ std::vector<Finding> findings() {
 }  // namespace
 
 void add_doctor(CLI::App& app, int& code) {
-  CLI::App* command = new_command(app, "Set-up", "doctor", "Is this set-up sound?  Floating point, the catalogue, its proofs.", {"doctor"});
+  CLI::App* command =
+      new_command(app, "Set-up", "doctor",
+                  "Is this set-up sound?  Floating point, the catalogue, its proofs.", {"doctor"});
   command->callback([&code] {
     std::string text;
     bool sound = true;

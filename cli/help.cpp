@@ -40,7 +40,9 @@ std::string unknown_word(const CLI::App& app, int argc, const char* const* argv)
     if (!command && !word.starts_with("-")) {
       const auto found = std::ranges::find(commands, word);
       if (found != commands.end()) command = all[static_cast<std::size_t>(found - commands.begin())];
-      if (!command) return "unknown command '" + word + "'" + did_you_mean(word, commands) + " (shortfall --help lists all)";
+      if (!command)
+        return "unknown command '" + word + "'" + did_you_mean(word, commands) +
+               " (shortfall --help lists all)";
       continue;
     }
     if (word == "--") break;

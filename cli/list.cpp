@@ -54,7 +54,8 @@ std::string as_json() {
 }  // namespace
 
 void add_list(CLI::App& app, int&) {
-  CLI::App* command = new_command(app, "Set-up", "list", "The integrators that come with shortfall.", {"list", "list --json"});
+  CLI::App* command = new_command(app, "Set-up", "list", "The integrators that come with shortfall.",
+                                  {"list", "list --json"});
   auto q = std::make_shared<Question>();
   add_json(*command, *q);
   command->callback([q] { write_output(q->json ? as_json() : as_text()); });

@@ -12,15 +12,20 @@ namespace {
 
 std::string integrator_template(const std::string& name) {
   return "# One line that says what this method is and where it comes from.\n"
-         "integrator " + name + "\n"
+         "integrator " +
+         name +
          "\n"
-         "# One step of length h: x and v hold position and velocity, t the time at the beginning of the step;\n"
-         "# a(x, v, t) is the force divided by the mass. Statements run in order, a name holds its new value from then on.\n"
+         "\n"
+         "# One step of length h: x and v hold position and velocity, t the time at the beginning of the "
+         "step;\n"
+         "# a(x, v, t) is the force divided by the mass. Statements run in order, a name holds its new value "
+         "from then on.\n"
          "step\n"
          "  v = v + h*a(x, v, t)\n"
          "  x = x + h*v\n"
          "\n"
-         "# What you claim about it. Exact minus computed position after n steps under a constant acceleration a, with t = n*h:\n"
+         "# What you claim about it. Exact minus computed position after n steps under a constant "
+         "acceleration a, with t = n*h:\n"
          "expect\n"
          "  shortfall -1/2*a*h*t\n";
 }
@@ -29,9 +34,12 @@ std::string integrator_template(const std::string& name) {
 std::string name_from(const std::string& path) {
   std::string name;
   for (const char c : std::filesystem::path(path).stem().string()) {
-    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9' && !name.empty())) name += c;
-    else if (c >= 'A' && c <= 'Z') name += static_cast<char>(c - 'A' + 'a');
-    else if (!name.empty() && name.back() != '-') name += '-';
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9' && !name.empty()))
+      name += c;
+    else if (c >= 'A' && c <= 'Z')
+      name += static_cast<char>(c - 'A' + 'a');
+    else if (!name.empty() && name.back() != '-')
+      name += '-';
   }
   while (name.ends_with('-')) name.pop_back();
   return name.empty() ? "my-own" : name;
@@ -40,15 +48,19 @@ std::string name_from(const std::string& path) {
 }  // namespace
 
 void add_new(CLI::App& app, int&) {
-  CLI::App* command = new_command(app, "Set-up", "new", "A file to begin with.", {"new integrator my-own.integrator"});
+  CLI::App* command =
+      new_command(app, "Set-up", "new", "A file to begin with.", {"new integrator my-own.integrator"});
   auto kind = std::make_shared<std::string>();
   auto path = std::make_shared<std::string>();
   command->add_option("KIND", *kind, "integrator")->required();
   command->add_option("FILE", *path, "the file to write; it must not exist yet")->required();
   command->callback([kind, path] {
-    if (*kind != "integrator") throw BadInput("new makes an integrator: shortfall new integrator FILE; found '" + *kind + "'");
-    if (!path->ends_with(".integrator")) throw BadInput("the file's name ends in .integrator, found '" + *path + "'");
-    if (std::filesystem::exists(*path)) throw OutputError("'" + *path + "' exists already; choose another name or remove it");
+    if (*kind != "integrator")
+      throw BadInput("new makes an integrator: shortfall new integrator FILE; found '" + *kind + "'");
+    if (!path->ends_with(".integrator"))
+      throw BadInput("the file's name ends in .integrator, found '" + *path + "'");
+    if (std::filesystem::exists(*path))
+      throw OutputError("'" + *path + "' exists already; choose another name or remove it");
     write_output(integrator_template(name_from(*path)), *path);
     say("wrote " + *path + "; now: shortfall derive " + *path);
   });

@@ -24,14 +24,17 @@ int write_all(int descriptor, const std::string& text) {
   return 0;
 }
 
-std::string cannot(const std::string& path, int error) { return "cannot write '" + path + "': " + std::strerror(error); }
+std::string cannot(const std::string& path, int error) {
+  return "cannot write '" + path + "': " + std::strerror(error);
+}
 
 }  // namespace
 
 void write_output(const std::string& text, const std::string& path) {
   if (path.empty() || path == "-") {
     const int error = write_all(STDOUT_FILENO, text);
-    if (error != 0 && error != EPIPE) throw OutputError(std::string("cannot write to the output: ") + std::strerror(error));
+    if (error != 0 && error != EPIPE)
+      throw OutputError(std::string("cannot write to the output: ") + std::strerror(error));
     return;
   }
   struct stat status {};

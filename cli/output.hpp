@@ -12,7 +12,8 @@ class OutputError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Writes a whole text to stdout, or to a file when a path is given: under a temporary name first, so that nothing is ever half-written.
+/// Writes a whole text to stdout, or to a file when a path is given: under a temporary name first, so that
+/// nothing is ever half-written.
 ///
 /// A closed pipe on stdout is quiet.
 /// throws  OutputError

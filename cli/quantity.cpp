@@ -39,7 +39,9 @@ std::string known_units(Unit unit) {
 }  // namespace
 
 Rational quantity(std::string_view text, Unit unit, const std::string& what) {
-  const auto complain = [&](const std::string& why) { return BadInput(what + " '" + std::string(text.substr(0, 60)) + "': " + why); };
+  const auto complain = [&](const std::string& why) {
+    return BadInput(what + " '" + std::string(text.substr(0, 60)) + "': " + why);
+  };
   // The number ends where its last digit or point is; an e with an exponent belongs to it.
   const std::size_t end = text.find_last_of("0123456789.");
   if (end == std::string_view::npos) throw complain("this is not a number");
@@ -70,7 +72,8 @@ Rational quantity(std::string_view text, Unit unit, const std::string& what) {
 
 Rational positive_quantity(std::string_view text, Unit unit, const std::string& what) {
   const Rational value = quantity(text, unit, what);
-  if (value.sign() <= 0) throw BadInput(what + " '" + std::string(text.substr(0, 60)) + "': it must be greater than 0");
+  if (value.sign() <= 0)
+    throw BadInput(what + " '" + std::string(text.substr(0, 60)) + "': it must be greater than 0");
   return value;
 }
 
@@ -84,12 +87,14 @@ std::vector<Rational> sweep(std::string_view text, Unit unit, const std::string&
   }
   if (parts.size() == 1) return {positive_quantity(text, unit, what)};
   if (parts.size() != 4 || (parts[2] != "lin" && parts[2] != "log"))
-    throw BadInput(what + " '" + std::string(text.substr(0, 60)) + "': a sweep is written FROM:TO:lin:COUNT or FROM:TO:log:COUNT");
+    throw BadInput(what + " '" + std::string(text.substr(0, 60)) +
+                   "': a sweep is written FROM:TO:lin:COUNT or FROM:TO:log:COUNT");
   const Rational from = positive_quantity(parts[0], unit, what);
   const Rational to = positive_quantity(parts[1], unit, what);
   std::int64_t count = 0;
   if (!quantity(parts[3], Unit::none, what).fits_int64(count) || count < 2 || count > 100'000)
-    throw BadInput(what + ": a sweep has from 2 to 100000 points, not '" + std::string(parts[3].substr(0, 60)) + "'");
+    throw BadInput(what + ": a sweep has from 2 to 100000 points, not '" +
+                   std::string(parts[3].substr(0, 60)) + "'");
   std::vector<Rational> points;
   for (std::int64_t i = 0; i < count; ++i) {
     const Rational share(i, count - 1);
@@ -98,8 +103,10 @@ std::vector<Rational> sweep(std::string_view text, Unit unit, const std::string&
     else if (i == 0 || i == count - 1)
       points.push_back(i == 0 ? from : to);
     else
-      points.push_back(Rational::parse(
-          Rational::from_double(from.to_double() * std::pow(to.to_double() / from.to_double(), share.to_double())).significant(12)));
+      points.push_back(
+          Rational::parse(Rational::from_double(from.to_double() * std::pow(to.to_double() / from.to_double(),
+                                                                            share.to_double()))
+                              .significant(12)));
   }
   return points;
 }

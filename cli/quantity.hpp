@@ -11,7 +11,8 @@ namespace shortfall::cli {
 
 enum class Unit { none, length, time };
 
-/// The exact value of a number as users type it: "0.02", "1/50", "40cm", "50Hz" (as a time: 1/50 s), "1/60f" (rounded to binary32).
+/// The exact value of a number as users type it: "0.02", "1/50", "40cm", "50Hz" (as a time: 1/50 s), "1/60f"
+/// (rounded to binary32).
 ///
 /// units   metres, seconds
 /// param   what  the option it came from, for messages
@@ -21,7 +22,8 @@ Rational quantity(std::string_view text, Unit unit, const std::string& what);
 /// As quantity, and positive.
 Rational positive_quantity(std::string_view text, Unit unit, const std::string& what);
 
-/// "FROM:TO:lin:COUNT" or "FROM:TO:log:COUNT", or a single number. Logarithmic points are rounded to 12 significant digits (and are exact then).
+/// "FROM:TO:lin:COUNT" or "FROM:TO:log:COUNT", or a single number. Logarithmic points are rounded to 12
+/// significant digits (and are exact then).
 ///
 /// throws  BadInput
 std::vector<Rational> sweep(std::string_view text, Unit unit, const std::string& what);

@@ -26,38 +26,52 @@ Rational Question::step() const { return positive_quantity(dt, Unit::time, "--dt
 Rational Question::gravity() const { return positive_quantity(g, Unit::none, "--g"); }
 
 void add_integrator(CLI::App& command, Question& q) {
-  command.add_option("INTEGRATOR", q.integrator, "a name or an alias (see: shortfall list), or the path of an .integrator file")
+  command
+      .add_option("INTEGRATOR", q.integrator,
+                  "a name or an alias (see: shortfall list), or the path of an .integrator file")
       ->capture_default_str();
 }
 
 void add_force(CLI::App& command, Question& q) {
-  command.add_option("--force", q.force, "constant (a), or poly:D for f0 + f1 t + ... + fD t^D")->capture_default_str()->type_name("F");
+  command.add_option("--force", q.force, "constant (a), or poly:D for f0 + f1 t + ... + fD t^D")
+      ->capture_default_str()
+      ->type_name("F");
 }
 
 void add_time_step(CLI::App& command, Question& q) {
-  command.add_option("--dt", q.dt, "the time step: 0.02, 1/50, 20ms, 50Hz; 1/60f rounds to binary32")->capture_default_str()->type_name("DT");
+  command.add_option("--dt", q.dt, "the time step: 0.02, 1/50, 20ms, 50Hz; 1/60f rounds to binary32")
+      ->capture_default_str()
+      ->type_name("DT");
 }
 
 void add_gravity(CLI::App& command, Question& q) {
-  command.add_option("--g", q.g, "gravity in m/s^2, positive downwards")->capture_default_str()->type_name("G");
+  command.add_option("--g", q.g, "gravity in m/s^2, positive downwards")
+      ->capture_default_str()
+      ->type_name("G");
 }
 
 void add_parameters(CLI::App& command, Question& q) {
-  command.add_option("--param", q.parameters, "a parameter of the integrator: NAME=VALUE; may be repeated")->type_name("N=V")->allow_extra_args(false);
+  command.add_option("--param", q.parameters, "a parameter of the integrator: NAME=VALUE; may be repeated")
+      ->type_name("N=V")
+      ->allow_extra_args(false);
   command.add_option("--substeps", q.substeps, "steps of h/N for each frame h")
-      ->capture_default_str()->type_name("N")->check(CLI::Range(1, 10'000));
+      ->capture_default_str()
+      ->type_name("N")
+      ->check(CLI::Range(1, 10'000));
 }
 
 void add_json(CLI::App& command, Question& q) { command.add_flag("--json", q.json, "the answer as JSON"); }
 
-void add_ascii(CLI::App& command, Question& q) { command.add_flag("--ascii", q.ascii, "plain ASCII formulas, in the .integrator language"); }
+void add_ascii(CLI::App& command, Question& q) {
+  command.add_flag("--ascii", q.ascii, "plain ASCII formulas, in the .integrator language");
+}
 
 void add_output(CLI::App& command, Question& q) {
   command.add_option("-o,--output", q.output, "write to this file")->type_name("FILE");
 }
 
-CLI::App* new_command(CLI::App& app, const std::string& group, const std::string& name, const std::string& what,
-                      const std::vector<std::string>& examples) {
+CLI::App* new_command(CLI::App& app, const std::string& group, const std::string& name,
+                      const std::string& what, const std::vector<std::string>& examples) {
   CLI::App* command = app.add_subcommand(name, what);
   command->group(group);
   std::string text = "Examples:\n";

@@ -17,10 +17,12 @@ int show(const Question& q) {
   bool all_hold = true;
   for (const ClaimVerdict& v : verdicts) all_hold = all_hold && v.holds;
   if (q.json) {
-    nlohmann::ordered_json json{{"schema", "shortfall.show/1"}, {"integrator", program.name}, {"description", program.description},
-                                {"aliases", program.aliases}, {"sources", program.sources}, {"text", print(program)}};
+    nlohmann::ordered_json json{{"schema", "shortfall.show/1"},       {"integrator", program.name},
+                                {"description", program.description}, {"aliases", program.aliases},
+                                {"sources", program.sources},         {"text", print(program)}};
     json["claims"] = nlohmann::json::array();
-    for (const ClaimVerdict& v : verdicts) json["claims"].push_back({{"claim", v.claim}, {"holds", v.holds}, {"found", v.found}});
+    for (const ClaimVerdict& v : verdicts)
+      json["claims"].push_back({{"claim", v.claim}, {"holds", v.holds}, {"found", v.found}});
     write_output(json.dump(2) + "\n");
   } else {
     std::string text = print(program);
@@ -35,8 +37,9 @@ int show(const Question& q) {
 }  // namespace
 
 void add_show(CLI::App& app, int& code) {
-  CLI::App* command = new_command(app, "Set-up", "show", "One integrator: its file, and whether its claims hold.",
-                                  {"show symplectic-euler", "show my-own.integrator"});
+  CLI::App* command =
+      new_command(app, "Set-up", "show", "One integrator: its file, and whether its claims hold.",
+                  {"show symplectic-euler", "show my-own.integrator"});
   auto q = std::make_shared<Question>();
   add_integrator(*command, *q);
   command->get_option("INTEGRATOR")->required();

@@ -17,7 +17,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 Json as_json(const Verdict& v, const std::string& quantity, const Expr& claimed) {
-  Json json{{"quantity", quantity}, {"claimed", print(claimed)}, {"proved", v.proved}, {"found", print(v.found)}};
+  Json json{
+      {"quantity", quantity}, {"claimed", print(claimed)}, {"proved", v.proved}, {"found", print(v.found)}};
   json["counter_example"] = nullptr;
   if (v.counter_example) {
     Json values;
@@ -43,12 +44,14 @@ std::string as_text(const Verdict& v, const std::string& quantity, const Expr& c
       text += " " + name + " = " + value.str();
   }
   if (!zero.empty()) text += " (the rest 0)";
-  text += "\n    the integrator gives " + c.computed.str() + ", the formula " + c.claimed.str() + " (exact)\n";
+  text +=
+      "\n    the integrator gives " + c.computed.str() + ", the formula " + c.claimed.str() + " (exact)\n";
   return text + "  right is: " + print(v.found, style) + "\n";
 }
 
 int verify(const Question& q, const std::string& x, const std::string& v) {
-  if (x.empty() && v.empty()) throw BadInput("verify takes a formula: --x \"x0 + v0*t + ...\" or --v \"v0 + a*t\"");
+  if (x.empty() && v.empty())
+    throw BadInput("verify takes a formula: --x \"x0 + v0*t + ...\" or --v \"v0 + a*t\"");
   const Program program = q.program();
   const Values values = q.values();
   const int degree = force_degree(q.force);
@@ -56,12 +59,16 @@ int verify(const Question& q, const std::string& x, const std::string& v) {
   std::vector<std::tuple<std::string, Expr, bool>> claims;
   try {
     if (!x.empty()) claims.emplace_back("x_n", parse_formula(x, "--x", names, {Sort::vector, kLength}), true);
-    if (!v.empty()) claims.emplace_back("v_n", parse_formula(v, "--v", names, {Sort::vector, kVelocity}), false);
+    if (!v.empty())
+      claims.emplace_back("v_n", parse_formula(v, "--v", names, {Sort::vector, kVelocity}), false);
   } catch (const SyntaxError& e) {  // on the command line, not in a file
     throw BadInput(std::string(e.what()) + "\n" + e.context());
   }
   const Derivation d = derivation(program, degree, values, q.substeps, false);
-  Json json{{"schema", "shortfall.verify/1"}, {"integrator", d.integrator}, {"force", q.force}, {"verdicts", Json::array()}};
+  Json json{{"schema", "shortfall.verify/1"},
+            {"integrator", d.integrator},
+            {"force", q.force},
+            {"verdicts", Json::array()}};
   std::string text;
   bool all = true;
   for (const auto& [quantity, claimed, position] : claims) {
@@ -77,15 +84,17 @@ int verify(const Question& q, const std::string& x, const std::string& v) {
 }  // namespace
 
 void add_verify(CLI::App& app, int& code) {
-  CLI::App* command = new_command(app, "Prove", "verify", "Proves or refutes a formula of yours for the motion after n steps.",
-                                  {"verify symplectic-euler --force constant --x \"x0 + v0*t + 1/2*a*t^2 + 1/2*a*h*t\"",
-                                   "verify rk4 --force poly:1 --v \"v0 + f0*t + 1/2*f1*t^2\""});
+  CLI::App* command = new_command(
+      app, "Prove", "verify", "Proves or refutes a formula of yours for the motion after n steps.",
+      {"verify symplectic-euler --force constant --x \"x0 + v0*t + 1/2*a*t^2 + 1/2*a*h*t\"",
+       "verify rk4 --force poly:1 --v \"v0 + f0*t + 1/2*f1*t^2\""});
   auto q = std::make_shared<Question>();
   auto x = std::make_shared<std::string>();
   auto v = std::make_shared<std::string>();
   add_integrator(*command, *q);
   add_force(*command, *q);
-  command->add_option("--x", *x, "the position after n steps, in x0, v0, a (or f0, f1, ...), h, t (= n h), n")->type_name("FORMULA");
+  command->add_option("--x", *x, "the position after n steps, in x0, v0, a (or f0, f1, ...), h, t (= n h), n")
+      ->type_name("FORMULA");
   command->add_option("--v", *v, "the velocity after n steps")->type_name("FORMULA");
   add_parameters(*command, *q);
   add_json(*command, *q);

@@ -10,7 +10,9 @@ using Json = nlohmann::ordered_json;
 namespace {
 
 Json head(const char* schema, const Derivation& d) {
-  Json json{{"schema", schema}, {"integrator", d.integrator}, {"force", d.degree == 0 ? "constant" : "poly:" + std::to_string(d.degree)}};
+  Json json{{"schema", schema},
+            {"integrator", d.integrator},
+            {"force", d.degree == 0 ? "constant" : "poly:" + std::to_string(d.degree)}};
   if (d.substeps != 1) json["substeps"] = d.substeps;
   return json;
 }
@@ -53,13 +55,15 @@ Json as_json(const Derivation& d, const CorrectionKit* kit) {
   json["shortfall"] = {{"position", print(d.shortfall_position)}, {"velocity", print(d.shortfall_velocity)}};
   json["valid_from"] = d.form.valid_from;
   add_kit(json, kit);
-  json["proof"] = {{"kind", "evaluation"},
-                   {"proved", d.proved()},
-                   {"points", d.proof.points},
-                   {"recurrence_order", d.proof.recurrence},
-                   {"statement",
-                    "both sides satisfy one linear recurrence of this order and agree, as functions of all letters, at as many consecutive n"},
-                   {"random_check", {{"trials", d.check.trials}, {"steps", d.check.steps}, {"agrees", d.check.agrees}}}};
+  json["proof"] = {
+      {"kind", "evaluation"},
+      {"proved", d.proved()},
+      {"points", d.proof.points},
+      {"recurrence_order", d.proof.recurrence},
+      {"statement",
+       "both sides satisfy one linear recurrence of this order and agree, as functions of all letters, at as "
+       "many consecutive n"},
+      {"random_check", {{"trials", d.check.trials}, {"steps", d.check.steps}, {"agrees", d.check.agrees}}}};
   Json steps = Json::array();
   for (const DerivationStep& s : d.steps)
     steps.push_back({{"latex", print(s.left, Style::latex) + " = " + print(s.right, Style::latex)},

@@ -10,9 +10,11 @@ namespace {
 std::string force_words(const Derivation& d, Style style) {
   if (d.degree == 0) return "constant acceleration a";
   Expr f = name("f0");
-  for (int k = 1; k <= std::min(d.degree, 3); ++k) f = f + name("f" + std::to_string(k)) * power(name("t"), k);
+  for (int k = 1; k <= std::min(d.degree, 3); ++k)
+    f = f + name("f" + std::to_string(k)) * power(name("t"), k);
   std::string text = print(f, style);
-  if (d.degree > 3) text += " + ... + " + print(name("f" + std::to_string(d.degree)) * power(name("t"), d.degree), style);
+  if (d.degree > 3)
+    text += " + ... + " + print(name("f" + std::to_string(d.degree)) * power(name("t"), d.degree), style);
   return "force f(t) = " + text + " (acceleration)";
 }
 
@@ -26,7 +28,8 @@ std::string shown(const Expr& e, Style style) {
 
 /// How many places a text takes on a terminal: characters, not bytes.
 std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+  return static_cast<std::size_t>(
+      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 void append_steps(std::string& text, const Derivation& d, Style style) {
@@ -37,8 +40,10 @@ void append_steps(std::string& text, const Derivation& d, Style style) {
     const std::string left = print(s.left, style);
     if (!last.empty() && left != last) text += "\n";
     const std::size_t taken = width_of(left);
-    text += "  " + (left == last ? std::string(taken, ' ') : left) + std::string(width - taken, ' ') + " = " + shown(s.right, style) + "\n";
-    text += "  " + std::string(width, ' ') + "   " + (style == Style::unicode ? "↑ " : "^ ") + s.why + (s.proved ? "" : "  [NOT PROVED]") + "\n";
+    text += "  " + (left == last ? std::string(taken, ' ') : left) + std::string(width - taken, ' ') + " = " +
+            shown(s.right, style) + "\n";
+    text += "  " + std::string(width, ' ') + "   " + (style == Style::unicode ? "↑ " : "^ ") + s.why +
+            (s.proved ? "" : "  [NOT PROVED]") + "\n";
     last = left;
   }
 }
@@ -50,16 +55,22 @@ void append_corrections(std::string& text, const CorrectionOption& o, Style styl
 }
 
 std::string letters_note(const Derivation& d) {
-  std::string text = d.substeps > 1 ? "h is the frame; it is stepped in " + std::to_string(d.substeps) + " substeps of h/" + std::to_string(d.substeps) + ". " : "";
-  return text + "n steps, t = n h. Shortfall = exact - computed: positive means too low. All formulas are exact.\n";
+  std::string text = d.substeps > 1 ? "h is the frame; it is stepped in " + std::to_string(d.substeps) +
+                                          " substeps of h/" + std::to_string(d.substeps) + ". "
+                                    : "";
+  return text +
+         "n steps, t = n h. Shortfall = exact - computed: positive means too low. All formulas are exact.\n";
 }
 
 }  // namespace
 
-std::string line(const std::string& left, const Expr& right, Style style) { return left + " = " + shown(right, style); }
+std::string line(const std::string& left, const Expr& right, Style style) {
+  return left + " = " + shown(right, style);
+}
 
 std::string as_text(const CorrectionKit& kit, const Derivation& d, Style style) {
-  if (!kit.needed) return "Nothing to correct: position and velocity are exact for this force at every step.\n";
+  if (!kit.needed)
+    return "Nothing to correct: position and velocity are exact for this force at every step.\n";
   std::string text;
   for (const CorrectionOption& o : kit.options) {
     text += "  " + o.name + ": " + (o.exists ? "exact for every n" : "does not exist") + "\n";
@@ -69,7 +80,10 @@ std::string as_text(const CorrectionKit& kit, const Derivation& d, Style style) 
       text += "    " + o.obstruction + "\n";
     text += "    proof: " + o.proof + "\n";
   }
-  if (d.degree > 0) text += "  (f' is the derivative of the force by time; launches take it at t = 0, read-outs at t = n h, terms at the beginning of the step)\n";
+  if (d.degree > 0)
+    text +=
+        "  (f' is the derivative of the force by time; launches take it at t = 0, read-outs at t = n h, "
+        "terms at the beginning of the step)\n";
   return text;
 }
 
@@ -86,12 +100,17 @@ std::string as_text(const Derivation& d, const CorrectionKit* kit, Style style) 
   if (kit) text += "\nCorrections (what to add)\n" + as_text(*kit, d, style);
   text += "\nProof\n";
   if (d.proof.proved)
-    text += "  Both sides of each line satisfy one linear recurrence in n, and agree, with all letters symbolic, at as many consecutive n\n"
-            "  as its order: " + std::to_string(d.proof.points) + " for the result" +
-            (d.steps.empty() ? "" : ", " + std::to_string(d.steps.front().points) + " for each line") + ". Hence they agree for every n.\n";
+    text +=
+        "  Both sides of each line satisfy one linear recurrence in n, and agree, with all letters symbolic, "
+        "at as many consecutive n\n"
+        "  as its order: " +
+        std::to_string(d.proof.points) + " for the result" +
+        (d.steps.empty() ? "" : ", " + std::to_string(d.steps.front().points) + " for each line") +
+        ". Hence they agree for every n.\n";
   else
     text += "  NOT PROVED: the closed form differs from stepping. This is a bug of ours; please report it.\n";
-  text += "  Checked besides: " + std::to_string(d.check.trials) + " random cases stepped in rational numbers for " + std::to_string(d.check.steps) +
+  text += "  Checked besides: " + std::to_string(d.check.trials) +
+          " random cases stepped in rational numbers for " + std::to_string(d.check.steps) +
           " steps: " + (d.check.agrees ? "equal" : "DIFFERENT") + ".\n";
   text += "Assumed: ";
   for (std::size_t i = 0; i < d.assumptions.size(); ++i) text += (i ? "; " : "") + d.assumptions[i];
@@ -104,7 +123,8 @@ std::string as_latex(const Derivation& d, const CorrectionKit* kit) {
   std::string last;
   for (const DerivationStep& s : d.steps) {
     const std::string left = print(s.left, Style::latex);
-    text += "  " + (left == last ? std::string() : left) + " &= " + print(s.right, Style::latex) + " && \\text{" + s.why + "} \\\\\n";
+    text += "  " + (left == last ? std::string() : left) + " &= " + print(s.right, Style::latex) +
+            " && \\text{" + s.why + "} \\\\\n";
     last = left;
   }
   text += "\\end{align*}\n";
@@ -118,8 +138,9 @@ std::string as_latex(const Derivation& d, const CorrectionKit* kit) {
     }
     text += "exact for every $n$:\n\\begin{align*}\n";
     for (const Correction& c : o.corrections)
-      text += "  \\text{" + std::string(kind_name(c.kind)) + "}\\colon\\quad " + print(name(c.target), Style::latex) + " &\\mathrel{+}= " +
-              print(c.add, Style::latex) + " \\\\\n";
+      text += "  \\text{" + std::string(kind_name(c.kind)) + "}\\colon\\quad " +
+              print(name(c.target), Style::latex) + " &\\mathrel{+}= " + print(c.add, Style::latex) +
+              " \\\\\n";
     text += "\\end{align*}\n";
   }
   return text;

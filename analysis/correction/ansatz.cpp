@@ -18,7 +18,8 @@ Fraction h_power(int exponent) { return Fraction::letter(kStepLetter, exponent);
 /// d! / (d-k)!, the factor of f_d t^(d-k) in f^(k).
 Rational falling(int d, int k) { return factorial(d) / factorial(d - k); }
 
-/// The step map with other drives: column j adds n^j to x, column degree + 1 + j adds n^j to v, at the end of each step.
+/// The step map with other drives: column j adds n^j to x, column degree + 1 + j adds n^j to v, at the end of
+/// each step.
 StepMap driven(const StepMap& map, int degree) {
   StepMap result = map;
   result.force.degree = 2 * (degree + 1) - 1;
@@ -72,12 +73,14 @@ AnsatzSystem::Effect AnsatzSystem::effect(const Coefficient& c) const {
     case Target::read_v: {
       const bool x = c.place == Target::read_x;
       for (int d = k; d <= d_.degree; ++d)
-        (x ? e.position : e.velocity)[2 + d] += Sequence(h_power(k + (x ? 2 : 1)) * Fraction(falling(d, k)) * t.pow(d - k));
+        (x ? e.position : e.velocity)[2 + d] +=
+            Sequence(h_power(k + (x ? 2 : 1)) * Fraction(falling(d, k)) * t.pow(d - k));
       break;
     }
     case Target::read_x_by_v: {
       const Motion v = exact_velocity(d_.degree);
-      for (int column = 0; column < columns(); ++column) add_scaled(e.position, column, v[column], h_power(1));
+      for (int column = 0; column < columns(); ++column)
+        add_scaled(e.position, column, v[column], h_power(1));
       break;
     }
     case Target::force:
@@ -101,7 +104,8 @@ AnsatzSystem::Effect AnsatzSystem::effect(const Coefficient& c) const {
   return e;
 }
 
-std::vector<AnsatzSystem::Equation> AnsatzSystem::equations(const std::vector<Coefficient>& unknowns, bool position_only) const {
+std::vector<AnsatzSystem::Equation> AnsatzSystem::equations(const std::vector<Coefficient>& unknowns,
+                                                            bool position_only) const {
   std::vector<Effect> effects;
   for (const Coefficient& c : unknowns) effects.push_back(effect(c));
   std::vector<Equation> all;
@@ -125,7 +129,8 @@ std::vector<AnsatzSystem::Equation> AnsatzSystem::equations(const std::vector<Co
         }
       };
       for (std::size_t u = 0; u < unknowns.size(); ++u)
-        collect(position ? effects[u].position[column] : effects[u].velocity[column], [&](Equation& e, const Fraction& f) { e.row[u] = f; });
+        collect(position ? effects[u].position[column] : effects[u].velocity[column],
+                [&](Equation& e, const Fraction& f) { e.row[u] = f; });
       collect(right[column], [](Equation& e, const Fraction& f) { e.right = f; });
       for (auto& [base, powers] : found)
         for (auto& [power, equation] : powers) {
@@ -169,7 +174,8 @@ CorrectionOption AnsatzSystem::solved(const Ansatz& ansatz) const {
     option.obstruction = "no such correction cancels the " + culprit + " of the shortfall";
     option.proof = involved == 1 ? "nothing it adds contains this power of t"
                                  : "a combination of " + std::to_string(involved) +
-                                       " of the conditions on its coefficients has left side 0 and right side not 0 (Fredholm's alternative)";
+                                       " of the conditions on its coefficients has left side 0 and right "
+                                       "side not 0 (Fredholm's alternative)";
     return option;
   }
   // The proof is the substitution, not the solver.
@@ -186,12 +192,14 @@ CorrectionOption AnsatzSystem::solved(const Ansatz& ansatz) const {
   }
   option.exists = is_zero(x) && (ansatz.position_only || is_zero(v));
   if (!option.exists) throw Error("a correction was found but does not survive substitution");
-  option.proof = "substituted back, the corrected motion equals the true one as a function of n, h and all letters";
+  option.proof =
+      "substituted back, the corrected motion equals the true one as a function of n, h and all letters";
   option.corrections = worded(unknowns, *found.solution);
   return option;
 }
 
-std::vector<Correction> AnsatzSystem::worded(const std::vector<Coefficient>& unknowns, const std::vector<Fraction>& values) const {
+std::vector<Correction> AnsatzSystem::worded(const std::vector<Coefficient>& unknowns,
+                                             const std::vector<Fraction>& values) const {
   struct Where {
     Correction::Kind kind;
     const char* target;
@@ -202,9 +210,12 @@ std::vector<Correction> AnsatzSystem::worded(const std::vector<Coefficient>& unk
       {Target::launch_x, {Correction::Kind::launch, "x0", "start the integrator here"}},
       {Target::launch_x_by_v0, {Correction::Kind::launch, "x0", "start the integrator here"}},
       {Target::launch_v, {Correction::Kind::launch, "v0", "start the integrator with this velocity"}},
-      {Target::read_x, {Correction::Kind::read_out, "x", "report this position; go on with the integrator's own"}},
-      {Target::read_x_by_v, {Correction::Kind::read_out, "x", "report this position; go on with the integrator's own"}},
-      {Target::read_v, {Correction::Kind::read_out, "v", "report this velocity; go on with the integrator's own"}},
+      {Target::read_x,
+       {Correction::Kind::read_out, "x", "report this position; go on with the integrator's own"}},
+      {Target::read_x_by_v,
+       {Correction::Kind::read_out, "x", "report this position; go on with the integrator's own"}},
+      {Target::read_v,
+       {Correction::Kind::read_out, "v", "report this velocity; go on with the integrator's own"}},
       {Target::force, {Correction::Kind::force, "", "let the integrator see this force instead"}},
       {Target::term_x, {Correction::Kind::term, "x", "add this to the position at the end of each step"}},
       {Target::term_v, {Correction::Kind::term, "v", "add this to the velocity at the end of each step"}}};
@@ -215,8 +226,10 @@ std::vector<Correction> AnsatzSystem::worded(const std::vector<Coefficient>& unk
     if (values[u].is_zero()) continue;
     const Where& at = where.at(place);
     const std::string target = *at.target ? at.target : force;
-    auto mine = std::ranges::find_if(corrections, [&](const Correction& c) { return c.kind == at.kind && c.target == target; });
-    if (mine == corrections.end()) mine = corrections.insert(mine, {at.kind, target, number(0), "", true, at.reason});
+    auto mine = std::ranges::find_if(
+        corrections, [&](const Correction& c) { return c.kind == at.kind && c.target == target; });
+    if (mine == corrections.end())
+      mine = corrections.insert(mine, {at.kind, target, number(0), "", true, at.reason});
     Fraction coefficient = values[u];
     Motion added(columns());
     std::string base = force;
@@ -231,9 +244,11 @@ std::vector<Correction> AnsatzSystem::worded(const std::vector<Coefficient>& unk
       const Fraction t = Fraction::letter(kCount) * h_power(1);
       for (int d = k; d <= (at_launch ? k : d_.degree); ++d)
         added[2 + d] = Sequence(coefficient * Fraction(falling(d, k)) * t.pow(d - k));
-      if (d_.degree > 0) base += k <= 3 ? std::string(static_cast<std::size_t>(k), '\'') : "^(" + std::to_string(k) + ")";
+      if (d_.degree > 0)
+        base += k <= 3 ? std::string(static_cast<std::size_t>(k), '\'') : "^(" + std::to_string(k) + ")";
     }
-    Expr expanded = place == Target::read_x_by_v ? formula(coefficient, name("v"), w) : formula(added, d_.degree, w);
+    Expr expanded =
+        place == Target::read_x_by_v ? formula(coefficient, name("v"), w) : formula(added, d_.degree, w);
     mine->add = joined(mine->add, expanded);
     const std::string piece = print(formula(coefficient, name(base), w), Style::language);
     const bool minus = piece.starts_with("-");

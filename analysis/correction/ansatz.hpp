@@ -8,9 +8,20 @@
 
 namespace shortfall {
 
-/// An unknown coefficient c_k of a correction c_k h^p f^(k), p = k + 2 for positions, k + 1 for velocities, k for the force.
+/// An unknown coefficient c_k of a correction c_k h^p f^(k), p = k + 2 for positions, k + 1 for velocities, k
+/// for the force.
 struct Coefficient {
-  enum class Target { launch_x, launch_v, launch_x_by_v0, read_x, read_v, read_x_by_v, force, term_x, term_v };
+  enum class Target {
+    launch_x,
+    launch_v,
+    launch_x_by_v0,
+    read_x,
+    read_v,
+    read_x_by_v,
+    force,
+    term_x,
+    term_v
+  };
   Target place;
   int derivative;  ///< k
 };
@@ -22,7 +33,8 @@ struct Ansatz {
   bool position_only = false;  ///< only positions must be exact
 };
 
-/// The linear system of an ansatz: what each unknown adds to the reported position and velocity must equal the shortfall, power by power of n.
+/// The linear system of an ansatz: what each unknown adds to the reported position and velocity must equal
+/// the shortfall, power by power of n.
 class AnsatzSystem {
  public:
   explicit AnsatzSystem(const Derivation& derivation);
@@ -44,7 +56,8 @@ class AnsatzSystem {
 
   Effect effect(const Coefficient& c) const;
   std::vector<Equation> equations(const std::vector<Coefficient>& unknowns, bool position_only) const;
-  std::vector<Correction> worded(const std::vector<Coefficient>& unknowns, const std::vector<Fraction>& values) const;
+  std::vector<Correction> worded(const std::vector<Coefficient>& unknowns,
+                                 const std::vector<Fraction>& values) const;
   int columns() const { return 2 + d_.degree + 1; }
 
   const Derivation& d_;

@@ -15,7 +15,8 @@ constexpr int kHighestDegree = 30;
 
 /// An inconsistent step lets even a free body move wrongly; then no amount of force repairs it.
 std::string free_motion_defect(const Derivation& d) {
-  for (const auto& [motion, what] : {std::pair{&d.shortfall_position_motion, "position"}, {&d.shortfall_velocity_motion, "velocity"}})
+  for (const auto& [motion, what] :
+       {std::pair{&d.shortfall_position_motion, "position"}, {&d.shortfall_velocity_motion, "velocity"}})
     for (int column : {0, 1})
       if (!(*motion)[column].is_zero())
         return std::string("the step is not consistent: even without a force the ") + what + " is wrong";
@@ -26,10 +27,14 @@ std::string free_motion_defect(const Derivation& d) {
 
 const char* kind_name(Correction::Kind kind) {
   switch (kind) {
-    case Correction::Kind::launch: return "launch";
-    case Correction::Kind::read_out: return "read-out";
-    case Correction::Kind::force: return "force";
-    case Correction::Kind::term: return "term";
+    case Correction::Kind::launch:
+      return "launch";
+    case Correction::Kind::read_out:
+      return "read-out";
+    case Correction::Kind::force:
+      return "force";
+    case Correction::Kind::term:
+      return "term";
   }
   return "";
 }
@@ -41,20 +46,24 @@ const CorrectionOption* CorrectionKit::best() const {
 
 CorrectionKit correction_kit(const Derivation& d) {
   if (d.degree > kHighestDegree)
-    throw Unable("correction kits are solved for up to degree " + std::to_string(kHighestDegree) + "; the closed form itself has no such limit");
+    throw Unable("correction kits are solved for up to degree " + std::to_string(kHighestDegree) +
+                 "; the closed form itself has no such limit");
   CorrectionKit kit;
   kit.needed = !is_zero(d.shortfall_position_motion) || !is_zero(d.shortfall_velocity_motion);
   if (!kit.needed) return kit;
   const AnsatzSystem system(d);
-  // From the cheapest to the dearest. A later one of the first three is of interest only when an earlier one does not exist.
+  // From the cheapest to the dearest. A later one of the first three is of interest only when an earlier one
+  // does not exist.
   kit.options.push_back(system.solved({"launch", {Target::launch_v, Target::read_v}}));
   if (!kit.options.back().exists) {
-    kit.options.push_back(system.solved({"launch and read-out", {Target::launch_v, Target::read_v, Target::launch_x, Target::read_x}}));
+    kit.options.push_back(system.solved(
+        {"launch and read-out", {Target::launch_v, Target::read_v, Target::launch_x, Target::read_x}}));
     if (!kit.options.back().exists)
-      kit.options.push_back(system.solved(
-          {"launch and read-out with a shift in time",
-           {Target::launch_v, Target::read_v, Target::launch_x, Target::read_x, Target::launch_x_by_v0, Target::read_x_by_v}}));
-    kit.options.push_back(system.solved({"force and launch", {Target::force, Target::launch_v, Target::read_v}}));
+      kit.options.push_back(system.solved({"launch and read-out with a shift in time",
+                                           {Target::launch_v, Target::read_v, Target::launch_x,
+                                            Target::read_x, Target::launch_x_by_v0, Target::read_x_by_v}}));
+    kit.options.push_back(
+        system.solved({"force and launch", {Target::force, Target::launch_v, Target::read_v}}));
   }
   kit.options.push_back(system.solved({"force alone", {Target::force}}));
   kit.options.push_back(system.solved({"term", {Target::term_x, Target::term_v}}));

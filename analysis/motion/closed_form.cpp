@@ -31,7 +31,8 @@ Fraction particular(const Fraction& b, const Fraction& base) {
   if (base == Fraction(1)) return indefinite_sum(b, kCount);
   const Fraction n = Fraction::letter(kCount);
   const Fraction gap = Fraction(1) / (Fraction(1) - base);
-  // From the top: the leading coefficient of q is that of b divided by 1 - base; subtract what it causes, go on.
+  // From the top: the leading coefficient of q is that of b divided by 1 - base; subtract what it causes, go
+  // on.
   Fraction q;
   Fraction rest = b;
   while (!rest.is_zero()) {
@@ -47,12 +48,15 @@ Fraction particular(const Fraction& b, const Fraction& base) {
 /// C(n, j) as a polynomial in n.
 Fraction choose_n(int j) {
   Fraction result = 1;
-  for (int i = 0; i < j; ++i) result *= (Fraction::letter(kCount) - Fraction(i)) * Fraction(Rational(1, i + 1));
+  for (int i = 0; i < j; ++i)
+    result *= (Fraction::letter(kCount) - Fraction(i)) * Fraction(Rational(1, i + 1));
   return result;
 }
 
-/// Adds, for one eigenvalue, the part of the motion of one column (a letter x0, v0 or f_d) that lives in its generalised eigenspace.
-void add_part(const SpectralPart& part, const Column& first, const Column& drive, std::vector<Sequence>& motion, std::vector<Column>& transient) {
+/// Adds, for one eigenvalue, the part of the motion of one column (a letter x0, v0 or f_d) that lives in its
+/// generalised eigenspace.
+void add_part(const SpectralPart& part, const Column& first, const Column& drive,
+              std::vector<Sequence>& motion, std::vector<Column>& transient) {
   const std::size_t size = first.size();
   Column q(size);
   Column level = times(part.projector, drive);
@@ -92,7 +96,8 @@ Fraction weighted(const LinearForm& row, const Column& state) {
   return total;
 }
 
-/// The polynomials q in n with q(n+1) - M q(n) = b(n), on the part of the space where 1 is no eigenvalue of M.
+/// The polynomials q in n with q(n+1) - M q(n) = b(n), on the part of the space where 1 is no eigenvalue of
+/// M.
 Column particular_of_rest(const Matrix& m, const Matrix& projector, const Column& b) {
   const int size = static_cast<int>(m.size());
   // (1 - M) on the rest, 1 elsewhere: invertible.
@@ -116,7 +121,8 @@ Column particular_of_rest(const Matrix& m, const Matrix& projector, const Column
   return total;
 }
 
-Sequence combined(const LinearForm& row, const std::vector<Motion>& states, int column, const LinearForce& force) {
+Sequence combined(const LinearForm& row, const std::vector<Motion>& states, int column,
+                  const LinearForce& force) {
   Sequence result;
   for (int s = 0; s < force.states; ++s)
     if (!row[s].is_zero()) result += Sequence(row[s]) * states[s][column];
@@ -140,7 +146,8 @@ Fraction Oscillation::at(const std::vector<Fraction>& first, int n) const {
 Fraction motion_at(const ClosedForm& form, bool position, int n, std::size_t column) {
   Fraction value = (position ? form.position : form.velocity)[column].at(n);
   if (!form.oscillation.is_zero())
-    value += form.oscillation.at((position ? form.oscillation.position : form.oscillation.velocity)[column], n);
+    value +=
+        form.oscillation.at((position ? form.oscillation.position : form.oscillation.velocity)[column], n);
   return value;
 }
 
@@ -163,7 +170,9 @@ ClosedForm closed_form(const StepMap& map) {
     for (int s = 0; s < force.states; ++s) all.front().push_back((*row)[s]);
   for (const auto& row : all)
     for (const Fraction& entry : row)
-      if (entry.contains(kCount)) throw Unable("the coefficients of the step depend on t, so its n-step map has no closed form of this kind");
+      if (entry.contains(kCount))
+        throw Unable(
+            "the coefficients of the step depend on t, so its n-step map has no closed form of this kind");
   const Spectrum parts = spectrum(matrix);
   const int order = parts.rest_size();
 
@@ -187,7 +196,8 @@ ClosedForm closed_form(const StepMap& map) {
     for (const SpectralPart& part : parts.parts) {
       add_part(part, first, drive, motion, transient);
     }
-    // What starts inside the nilpotent part dies after a few steps; until then the closed form does not hold where it shows.
+    // What starts inside the nilpotent part dies after a few steps; until then the closed form does not hold
+    // where it shows.
     for (Column left : transient)
       for (int n = 0; n < force.states && !all_zero(left); ++n, left = times(matrix, left))
         if (shows(map, left)) form.valid_from = std::max(form.valid_from, n + 1);
@@ -229,8 +239,9 @@ Motion exact_velocity(int degree) {
 MotionProof prove(const StepMap& map, const ClosedForm& form) {
   MotionProof proof;
   const int states = map.force.states;
-  // The stepped values obey the recurrence of the matrix (order: its size) driven by polynomials in n, which adds their degree + 1; so does the closed
-  // form, whose bases are the same eigenvalues. `finish` multiplies by polynomials in n at most of the degree read here.
+  // The stepped values obey the recurrence of the matrix (order: its size) driven by polynomials in n, which
+  // adds their degree + 1; so does the closed form, whose bases are the same eigenvalues. `finish` multiplies
+  // by polynomials in n at most of the degree read here.
   int degree = 0;
   for (const auto* rows : {&map.step, &map.start})
     for (const LinearForm& row : *rows)
@@ -241,10 +252,12 @@ MotionProof prove(const StepMap& map, const ClosedForm& form) {
   const auto values = stepped(map, form.valid_from + proof.recurrence - 1);
   for (int n = form.valid_from; n < static_cast<int>(values.size()); ++n) {
     ++proof.points;
-    for (const auto& [row, motion] : {std::pair{&map.position, &form.position}, {&map.velocity, &form.velocity}}) {
+    for (const auto& [row, motion] :
+         {std::pair{&map.position, &form.position}, {&map.velocity, &form.velocity}}) {
       const LinearForm truth = reported(*row, values[n], n, states);
       for (std::size_t column = 0; column < motion->size(); ++column) {
-        const int source = column < 2 ? static_cast<int>(column) : map.force.force_column(static_cast<int>(column) - 2);
+        const int source =
+            column < 2 ? static_cast<int>(column) : map.force.force_column(static_cast<int>(column) - 2);
         if (!(motion_at(form, motion == &form.position, n, column) == truth[source])) return proof;
       }
     }

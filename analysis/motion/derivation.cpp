@@ -15,12 +15,16 @@ namespace {
 
 constexpr int kHighestDegree = 1000;
 
-/// Steps random rational numbers and holds the closed form against them: no letters, no linear forms, another interpreter's problem.
+/// Steps random rational numbers and holds the closed form against them: no letters, no linear forms, another
+/// interpreter's problem.
 RandomCheck random_check(const Tape& tape, const Program& program, const Values& given, const Derivation& d) {
   constexpr int kTrials = 3;
   RandomCheck check{kTrials, std::min(8, d.form.valid_from + 6), true};
   std::mt19937 random(20240808);
-  const auto draw = [&] { return Rational(std::uniform_int_distribution<int>(-40, 40)(random), std::uniform_int_distribution<int>(1, 9)(random)); };
+  const auto draw = [&] {
+    return Rational(std::uniform_int_distribution<int>(-40, 40)(random),
+                    std::uniform_int_distribution<int>(1, 9)(random));
+  };
   const Values parameters = parameter_values(program, given);
   for (int trial = 0; trial < kTrials; ++trial) {
     std::vector<Rational> column{draw(), draw()};
@@ -54,23 +58,31 @@ RandomCheck random_check(const Tape& tape, const Program& program, const Values&
 }
 
 std::vector<std::string> assumed(const Derivation& d) {
-  std::vector<std::string> result{"the force is " + std::string(d.degree == 0 ? "constant, a" : "a polynomial in t of degree " + std::to_string(d.degree)),
-                                  "every step has the same length h"};
-  if (d.form.valid_from > 0) result.push_back("n >= " + std::to_string(d.form.valid_from) + ": before that, the start is still felt");
+  std::vector<std::string> result{
+      "the force is " + std::string(d.degree == 0
+                                        ? "constant, a"
+                                        : "a polynomial in t of degree " + std::to_string(d.degree)),
+      "every step has the same length h"};
+  if (d.form.valid_from > 0)
+    result.push_back("n >= " + std::to_string(d.form.valid_from) + ": before that, the start is still felt");
   for (const auto& [base, multiplicity] : d.form.spectrum)
-    if (!base.is_constant()) result.push_back("the eigenvalue " + base.str(d.map.letters) + " of the step is a number: its denominator is not 0");
+    if (!base.is_constant())
+      result.push_back("the eigenvalue " + base.str(d.map.letters) +
+                       " of the step is a number: its denominator is not 0");
   return result;
 }
 
 }  // namespace
 
 bool Derivation::proved() const {
-  return proof.proved && check.agrees && std::ranges::all_of(steps, [](const DerivationStep& s) { return s.proved; });
+  return proof.proved && check.agrees &&
+         std::ranges::all_of(steps, [](const DerivationStep& s) { return s.proved; });
 }
 
 Derivation derivation(const Program& program, int degree, const Values& given, int substeps, bool tell) {
   if (degree < 0 || degree > kHighestDegree)
-    throw BadInput("the degree of a force polynomial is a whole number from 0 to " + std::to_string(kHighestDegree));
+    throw BadInput("the degree of a force polynomial is a whole number from 0 to " +
+                   std::to_string(kHighestDegree));
   const Program stepped_program = substepped(program, substeps);
   const Tape tape = lower(stepped_program, given);
   Derivation d;
@@ -80,7 +92,9 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
   d.map = step_map(tape, degree);
   d.form = closed_form(d.map);
   if (!d.form.oscillation.is_zero())
-    throw Unable("an eigenvalue of the step is no rational function of its letters: without a force the body would oscillate");
+    throw Unable(
+        "an eigenvalue of the step is no rational function of its letters: without a force the body would "
+        "oscillate");
   d.proof = prove(d.map, d.form);
   const Motion x = exact_position(degree);
   const Motion v = exact_velocity(degree);

@@ -56,7 +56,9 @@ struct Derivation {
 ///
 /// param   degree  of the force polynomial, 0 for a constant one
 /// param   tell    whether the steps of the derivation are wanted, or only the result
-/// throws  Unable  with the reason when there is no closed form of this kind; BadInput for a degree above 1000
-Derivation derivation(const Program& program, int degree, const Values& given = {}, int substeps = 1, bool tell = true);
+/// throws  Unable  with the reason when there is no closed form of this kind; BadInput for a degree above
+/// 1000
+Derivation derivation(const Program& program, int degree, const Values& given = {}, int substeps = 1,
+                      bool tell = true);
 
 }  // namespace shortfall

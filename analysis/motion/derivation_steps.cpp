@@ -87,7 +87,8 @@ class Writer {
     const Expr now = name(q.name + "_k");
     const Expr after_n = name(q.name + "_n");
     const Expr gathered = formula(closed_[index], d_.degree, in_t_);
-    const bool is_difference = q.definition.columns() > 1 && std::ranges::find(d_.map.states, q.name) == d_.map.states.end();
+    const bool is_difference =
+        q.definition.columns() > 1 && std::ranges::find(d_.map.states, q.name) == d_.map.states.end();
     if (is_difference) {
       Expr definition = number(0);
       for (int s = 0; s < d_.map.force.states; ++s)
@@ -100,19 +101,24 @@ class Writer {
     }
     const Expr change = increase(q);
     if (q.self.is_zero()) {
-      add(next, change, "one step, written out: " + q.name + " is carried along and made anew in each step", "k", 0);
-      add(after_n, gathered, "so it is known at every step" + from_text(settled_[index]), "n", settled_[index]);
+      add(next, change, "one step, written out: " + q.name + " is carried along and made anew in each step",
+          "k", 0);
+      add(after_n, gathered, "so it is known at every step" + from_text(settled_[index]), "n",
+          settled_[index]);
     } else if (q.self == Fraction(1)) {
       tell_sum(index, next, now, after_n, change, gathered);
     } else {
       add(next, joined(formula(q.self, now, in_k_), change), "one step, written out", "k", 0);
-      add(after_n, gathered, "a geometric sum: each step multiplies by the same factor" + from_text(settled_[index]), "n", settled_[index]);
+      add(after_n, gathered,
+          "a geometric sum: each step multiplies by the same factor" + from_text(settled_[index]), "n",
+          settled_[index]);
     }
   }
 
   static std::string from_text(int n) { return n == 0 ? "" : " from n = " + std::to_string(n) + " on"; }
 
-  void tell_sum(int index, const Expr& next, const Expr& now, const Expr& after_n, const Expr& change, const Expr& gathered) {
+  void tell_sum(int index, const Expr& next, const Expr& now, const Expr& after_n, const Expr& change,
+                const Expr& gathered) {
     const Quantity& q = quantities_[index];
     add(next, joined(now, change), "one step, written out", "k", 0);
     int begin = 0;
@@ -124,7 +130,8 @@ class Writer {
     }
     const Expr from = number(begin);
     const Expr to = name("n") - number(1);
-    add(after_n, joined(first, sum("k", from, to, change)), "unroll: each step adds to the one before" + from_text(begin), "n", begin);
+    add(after_n, joined(first, sum("k", from, to, change)),
+        "unroll: each step adds to the one before" + from_text(begin), "n", begin);
 
     Motion summand(columns());
     for (const auto& [other, weight] : q.weights)
@@ -132,9 +139,12 @@ class Writer {
     for (int c = 2; c < columns(); ++c) summand[c] += Sequence(q.drive[source(c)]);
     const bool polynomial = std::ranges::all_of(summand, [](const Sequence& s) { return s.is_polynomial(); });
     if (!q.weights.empty())
-      add(after_n, joined(first, sum("k", from, to, formula(summand, d_.degree, in_k_))), "put in what is known", "n", begin);
+      add(after_n, joined(first, sum("k", from, to, formula(summand, d_.degree, in_k_))),
+          "put in what is known", "n", begin);
     if (!polynomial) {
-      add(after_n, gathered, "Faulhaber's sums for the powers of k, geometric sums for the rest" + from_text(begin), "n", settled_[index]);
+      add(after_n, gathered,
+          "Faulhaber's sums for the powers of k, geometric sums for the rest" + from_text(begin), "n",
+          settled_[index]);
       return;
     }
     int highest = 0;
@@ -161,9 +171,12 @@ class Writer {
     const Expr letter = name(column_name(column, d_.degree));
     const bool single = constant.is_polynomial() && constant.numerator().terms().size() == 1;
     const bool negative = single && constant.numerator().terms().front().coefficient.sign() < 0;
-    Expr product = single ? formula(negative ? -constant : constant, letter, in_n_) : formula(constant, in_n_) * letter;
+    Expr product =
+        single ? formula(negative ? -constant : constant, letter, in_n_) : formula(constant, in_n_) * letter;
     product = chained(product, factor);
-    total = is_number(total, 0) ? (negative ? negate(product) : product) : negative ? total - product : total + product;
+    total = is_number(total, 0) ? (negative ? negate(product) : product)
+            : negative          ? total - product
+                                : total + product;
   }
 
   /// begin^m + ... + (n-1)^m as a person writes it.
@@ -193,7 +206,8 @@ class Writer {
     if (highest == 0) return "a sum of n equal terms";
     if (highest == 1) return "Gauss: 0 + 1 + ... + (n-1) = n (n-1)/2";
     if (highest == 2) return "Gauss for k, Faulhaber for k^2: 0 + 1 + 4 + ... + (n-1)^2 = n (n-1) (2n-1)/6";
-    return "Gauss and Faulhaber: the sum of k^m is a polynomial in n of degree m + 1, with Bernoulli's numbers";
+    return "Gauss and Faulhaber: the sum of k^m is a polynomial in n of degree m + 1, with Bernoulli's "
+           "numbers";
   }
 
   static bool print_differs(const Expr& a, const Expr& b) { return !same(a, b); }
@@ -216,8 +230,10 @@ class Writer {
   void tell_exact() {
     add(name("x(t)"), d_.exact_position, "the true motion: integrate the force twice", "n", 0);
     add(name("v(t)"), d_.exact_velocity, "and once for the velocity", "n", 0);
-    add(name("x(t)") - name(reported_name("x")), d_.shortfall_position, "subtract: the shortfall of the position, at t = n h", "n", d_.form.valid_from);
-    add(name("v(t)") - name(reported_name("v")), d_.shortfall_velocity, "and of the velocity", "n", d_.form.valid_from);
+    add(name("x(t)") - name(reported_name("x")), d_.shortfall_position,
+        "subtract: the shortfall of the position, at t = n h", "n", d_.form.valid_from);
+    add(name("v(t)") - name(reported_name("v")), d_.shortfall_velocity, "and of the velocity", "n",
+        d_.form.valid_from);
   }
 
   const Derivation& d_;

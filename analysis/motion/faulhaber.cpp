@@ -27,13 +27,15 @@ std::vector<std::vector<Rational>> power_sums(int highest) {
 }
 
 Fraction indefinite_sum(const Fraction& p, Letter n) {
-  if (p.denominator().contains(n)) throw Undefined("a sum over n of a function with n in its denominator has no polynomial closed form");
+  if (p.denominator().contains(n))
+    throw Undefined("a sum over n of a function with n in its denominator has no polynomial closed form");
   const std::vector<Polynomial> coefficients = p.numerator().coefficients(n);
   const auto sums = power_sums(static_cast<int>(coefficients.size()) - 1);
   Polynomial total;
   for (std::size_t m = 0; m < coefficients.size(); ++m)
     if (!coefficients[m].is_zero()) total += coefficients[m] * Polynomial::in(n, sums[m]);
-  return p.denominator().is_constant() ? Fraction(std::move(total)) : Fraction(std::move(total), p.denominator());
+  return p.denominator().is_constant() ? Fraction(std::move(total))
+                                       : Fraction(std::move(total), p.denominator());
 }
 
 }  // namespace shortfall

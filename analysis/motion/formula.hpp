@@ -12,13 +12,14 @@ namespace shortfall {
 /// What the scalar names of a formula about n steps stand for.
 using FormulaScalars = std::map<std::string, Fraction>;
 
-/// n, h, t = n h and the parameters of an integrator, as symbolic problems see them: a letter, the number that
-/// the user gave, or what the default makes of other parameters.
+/// n, h, t = n h and the parameters of an integrator, as symbolic problems see them: a letter, the number
+/// that the user gave, or what the default makes of other parameters.
 ///
 /// throws  BadInput  for a value of an unknown parameter
 FormulaScalars formula_scalars(const Program& program, const Values& given = {});
 
-/// A formula about n steps under x'' = f0 + f1 t + ... + fD t^D as a combination of x0, v0, f0..fD; `a` is f0.
+/// A formula about n steps under x'' = f0 + f1 t + ... + fD t^D as a combination of x0, v0, f0..fD; `a` is
+/// f0.
 ///
 /// Powers r^n of what does not depend on n become the bases of its sequences, so that equality with a closed
 /// form decides whether the two are the same function of n. Where n is left in a denominator the formula has

@@ -41,7 +41,9 @@ Expr written_out(const Polynomial& p, const Expr& vector, const Wording& w, Expr
 }
 
 /// Whether the first sign of a quotient should be pulled out in front.
-bool leads_with_minus(const Polynomial& p) { return !p.is_zero() && p.terms().front().coefficient.sign() < 0; }
+bool leads_with_minus(const Polynomial& p) {
+  return !p.is_zero() && p.terms().front().coefficient.sign() < 0;
+}
 
 /// A factor without denominators, 2 rho - 1 and not rho - 1/2; what it was divided by goes to the constant.
 Polynomial whole(const Polynomial& p, int multiplicity, Rational& constant) {
@@ -72,7 +74,8 @@ Expr times_power(const Expr& e, const Fraction& base, const Wording& w) {
   return e * binary(Expression::Op::power, formula(base, w), name(w.count));
 }
 
-void append(Expr& total, const Fraction& coefficient, const Expr& vector, const Fraction& base, const Wording& w) {
+void append(Expr& total, const Fraction& coefficient, const Expr& vector, const Fraction& base,
+            const Wording& w) {
   const bool plain = base == Fraction(1);
   if (coefficient.is_polynomial() && (plain || coefficient.numerator().terms().size() == 1)) {
     for (const Polynomial::Term& t : coefficient.numerator().terms())
@@ -111,8 +114,10 @@ Expr joined(const Expr& total, const Expr& part) {
 }
 
 Expr chained(const Expr& product, const Expr& factor) {
-  if (factor->op == Expression::Op::multiply) return chained(chained(product, factor->operands[0]), factor->operands[1]);
-  if (factor->op == Expression::Op::divide) return chained(product, factor->operands[0]) / factor->operands[1];
+  if (factor->op == Expression::Op::multiply)
+    return chained(chained(product, factor->operands[0]), factor->operands[1]);
+  if (factor->op == Expression::Op::divide)
+    return chained(product, factor->operands[0]) / factor->operands[1];
   return product * factor;
 }
 

@@ -23,7 +23,9 @@ bool LineCheck::agree(const Expr& left, const Expr& right, const std::string& in
     const Value a = evaluated(left, indices);
     const Value b = evaluated(right, indices);
     // A formula that came out as the number 0 is the zero vector.
-    const auto zero = [](const Value& v) { return std::holds_alternative<Fraction>(v) && std::get<Fraction>(v).is_zero(); };
+    const auto zero = [](const Value& v) {
+      return std::holds_alternative<Fraction>(v) && std::get<Fraction>(v).is_zero();
+    };
     const LinearForm x = zero(a) ? LinearForm() : std::get<LinearForm>(a);
     const LinearForm y = zero(b) ? LinearForm() : std::get<LinearForm>(b);
     if (!(x == y)) return false;
@@ -35,7 +37,8 @@ LinearForm LineCheck::exact(int n, bool position) const {
   const Motion motion = position ? exact_position(degree_) : exact_velocity(degree_);
   LinearForm value;
   for (std::size_t c = 0; c < motion.size(); ++c)
-    value.at(c < 2 ? static_cast<int>(c) : map_.force.force_column(static_cast<int>(c) - 2)) = motion[c].at(n);
+    value.at(c < 2 ? static_cast<int>(c) : map_.force.force_column(static_cast<int>(c) - 2)) =
+        motion[c].at(n);
   return value;
 }
 
@@ -45,9 +48,11 @@ LineCheck::Value LineCheck::of_name(const std::string& name, const Indices& indi
   if (name == "t") return Fraction(count("n")) * Fraction::letter(kStepLetter);
   if (name == "x(t)" || name == "v(t)") return exact(count("n"), name == "x(t)");
   if (name == "x_out" || name == "v_out")
-    return reported(name == "x_out" ? map_.position : map_.velocity, states_.at(count("n")), count("n"), map_.force.states);
+    return reported(name == "x_out" ? map_.position : map_.velocity, states_.at(count("n")), count("n"),
+                    map_.force.states);
   for (int c = 0; c < 2 + degree_ + 1; ++c)
-    if (name == column_name(c, degree_)) return LinearForm::column(c < 2 ? c : map_.force.force_column(c - 2));
+    if (name == column_name(c, degree_))
+      return LinearForm::column(c < 2 ? c : map_.force.force_column(c - 2));
   for (std::size_t q = 0; q < quantities_.size(); ++q) {
     const std::string& stem = quantities_[q].name;
     if (name == stem + "_n") return quantity(static_cast<int>(q), count("n"));
@@ -57,16 +62,20 @@ LineCheck::Value LineCheck::of_name(const std::string& name, const Indices& indi
   for (std::size_t s = 0; s < map_.states.size(); ++s)
     if (name == map_.states[s] + "_k") return states_.at(count("k"))[s];
   const auto letter = std::ranges::find(map_.letters, name);
-  if (letter == map_.letters.end()) throw Error("a derivation mentions '" + name + "', which it does not know");
+  if (letter == map_.letters.end())
+    throw Error("a derivation mentions '" + name + "', which it does not know");
   return Fraction::letter(static_cast<Letter>(letter - map_.letters.begin()));
 }
 
 LineCheck::Value LineCheck::evaluated(const Expr& e, const Indices& indices) const {
   const auto scalar = [&](const Expr& o) { return std::get<Fraction>(evaluated(o, indices)); };
   switch (e->op) {
-    case Op::number: return Fraction(e->value);
-    case Op::name: return of_name(e->name, indices);
-    case Op::negate: return std::visit([](const auto& v) -> Value { return -v; }, evaluated(e->operands[0], indices));
+    case Op::number:
+      return Fraction(e->value);
+    case Op::name:
+      return of_name(e->name, indices);
+    case Op::negate:
+      return std::visit([](const auto& v) -> Value { return -v; }, evaluated(e->operands[0], indices));
     case Op::add:
     case Op::subtract: {
       const Value a = evaluated(e->operands[0], indices);
@@ -74,7 +83,8 @@ LineCheck::Value LineCheck::evaluated(const Expr& e, const Indices& indices) con
       const bool plus = e->op == Op::add;
       if (std::holds_alternative<Fraction>(a)) {
         const Fraction x = std::get<Fraction>(a);
-        if (std::holds_alternative<LinearForm>(b)) return plus ? std::get<LinearForm>(b) : -std::get<LinearForm>(b);
+        if (std::holds_alternative<LinearForm>(b))
+          return plus ? std::get<LinearForm>(b) : -std::get<LinearForm>(b);
         return plus ? x + std::get<Fraction>(b) : x - std::get<Fraction>(b);
       }
       const LinearForm right = std::holds_alternative<LinearForm>(b) ? std::get<LinearForm>(b) : LinearForm();
@@ -120,7 +130,8 @@ LineCheck::Value LineCheck::evaluated(const Expr& e, const Indices& indices) con
       if (is_vector) return vectors;
       return scalars;
     }
-    case Op::force: break;
+    case Op::force:
+      break;
   }
   throw Error("a derivation cannot call the force");
 }

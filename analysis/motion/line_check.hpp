@@ -11,14 +11,16 @@
 
 namespace shortfall {
 
-/// Evaluates the lines of a derivation at a whole number n, literally: sums are added up term by term, and x_k is the vector that k steps in
-/// letters gave. So a line is tested by other means than those that produced it.
+/// Evaluates the lines of a derivation at a whole number n, literally: sums are added up term by term, and
+/// x_k is the vector that k steps in letters gave. So a line is tested by other means than those that
+/// produced it.
 class LineCheck {
  public:
   /// param  points  how many steps to take in advance
   LineCheck(const StepMap& map, const std::vector<Quantity>& quantities, int degree, int points);
 
-  /// Whether both sides agree, for index = from .. to; `index` is the name that is given this value, "n" or "k".
+  /// Whether both sides agree, for index = from .. to; `index` is the name that is given this value, "n" or
+  /// "k".
   bool agree(const Expr& left, const Expr& right, const std::string& index, int from, int to) const;
 
   /// The value of a quantity after n steps: columns x0, v0, then f0..fD.

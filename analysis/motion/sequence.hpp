@@ -3,15 +3,16 @@
 
 #include <vector>
 
-#include "analysis/problems/letters.hpp"
 #include "analysis/algebra/fraction.hpp"
+#include "analysis/problems/letters.hpp"
 
 namespace shortfall {
 
 /// A function of the step count n in closed form: the sum of coefficient(n) * base^n.
 ///
-/// Coefficients are polynomials in n over the rational functions of the other letters; bases are such functions without n.
-/// Invariant: bases differ and are not 0, coefficients are not 0; so equality of sequences (as functions of all n) is structural.
+/// Coefficients are polynomials in n over the rational functions of the other letters; bases are such
+/// functions without n. Invariant: bases differ and are not 0, coefficients are not 0; so equality of
+/// sequences (as functions of all n) is structural.
 class Sequence {
  public:
   struct Term {

@@ -16,7 +16,9 @@ Matrix shifted(Matrix m, const Fraction& value) {
 }
 
 bool is_zero(const Matrix& m) {
-  return std::ranges::all_of(m, [](const auto& row) { return std::ranges::all_of(row, [](const Fraction& f) { return f.is_zero(); }); });
+  return std::ranges::all_of(m, [](const auto& row) {
+    return std::ranges::all_of(row, [](const Fraction& f) { return f.is_zero(); });
+  });
 }
 
 /// Whether every eigenvalue is 1: the common case, seen without a characteristic polynomial.
@@ -82,7 +84,8 @@ std::vector<std::pair<Fraction, int>> eigenvalues(const Matrix& m, std::vector<F
       for (int k = 0; k < multiplicity; ++k) rest = product(rest, monic);
       continue;
     }
-    values.emplace_back(-Fraction(factor.coefficient(kTimeLetter, 0), factor.coefficient(kTimeLetter, 1)), multiplicity);
+    values.emplace_back(-Fraction(factor.coefficient(kTimeLetter, 0), factor.coefficient(kTimeLetter, 1)),
+                        multiplicity);
   }
   return values;
 }
@@ -132,7 +135,8 @@ Spectrum spectrum(const Matrix& m) {
   const auto values = eigenvalues(m, result.rest);
   result.rest_projector = identity_matrix(size);
   for (const auto& [value, multiplicity] : values) {
-    // With g the product of the other factors and 1/g its inverse as a power series in z - value, the projector is g(M) (1/g)(M).
+    // With g the product of the other factors and 1/g its inverse as a power series in z - value, the
+    // projector is g(M) (1/g)(M).
     std::vector<Fraction> others = result.rest;
     for (const auto& [other, times] : values)
       for (int k = 0; k < times && !(other == value); ++k) others = product(others, {-other, 1});

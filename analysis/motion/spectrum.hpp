@@ -17,7 +17,8 @@ Matrix operator*(const Matrix& a, const Matrix& b);
 /// source  Faddeev & Sominsky (1949); Le Verrier (1840)
 std::vector<Fraction> characteristic_polynomial(const Matrix& m);
 
-/// One eigenvalue of a matrix, with the projector on its generalised eigenspace along the others and N = (M - value) projector.
+/// One eigenvalue of a matrix, with the projector on its generalised eigenspace along the others and N = (M -
+/// value) projector.
 struct SpectralPart {
   Fraction value;
   int multiplicity;
@@ -25,10 +26,12 @@ struct SpectralPart {
   Matrix nilpotent;
 };
 
-/// The spectral decomposition of a matrix of rational functions, as far as its eigenvalues are rational functions too.
+/// The spectral decomposition of a matrix of rational functions, as far as its eigenvalues are rational
+/// functions too.
 ///
-/// The others are kept together: `rest` is the monic product of their factors of the characteristic polynomial (lowest power first; {1} when
-/// there is none) and `rest_projector` projects on their part of the space.
+/// The others are kept together: `rest` is the monic product of their factors of the characteristic
+/// polynomial (lowest power first; {1} when there is none) and `rest_projector` projects on their part of the
+/// space.
 struct Spectrum {
   std::vector<SpectralPart> parts;
   std::vector<Fraction> rest{Fraction(1)};

@@ -9,17 +9,18 @@
 
 namespace shortfall {
 
-/// One step of an integrator under x'' = f0 + f1 t + ... + fD t^D (- k x - c v), written out: an affine map of the carried vectors.
+/// One step of an integrator under x'' = f0 + f1 t + ... + fD t^D (- k x - c v), written out: an affine map
+/// of the carried vectors.
 ///
-/// Columns of `step`, `position` and `velocity`: the carried vectors at step n, then f0..fD; coefficients in n, h, parameters.
-/// Columns of `start`: x0, v0, then (after the carried vectors' places) f0..fD.
+/// Columns of `step`, `position` and `velocity`: the carried vectors at step n, then f0..fD; coefficients in
+/// n, h, parameters. Columns of `start`: x0, v0, then (after the carried vectors' places) f0..fD.
 struct StepMap {
   LinearForce force;
-  std::vector<std::string> letters;       ///< names of the letters, see letters.hpp
-  std::vector<std::string> states;        ///< names of the carried vectors
-  std::vector<LinearForm> start;          ///< their first values
-  std::vector<LinearForm> step;           ///< their values after step n -> n + 1
-  LinearForm position;                    ///< what `finish` reports after n steps
+  std::vector<std::string> letters;  ///< names of the letters, see letters.hpp
+  std::vector<std::string> states;   ///< names of the carried vectors
+  std::vector<LinearForm> start;     ///< their first values
+  std::vector<LinearForm> step;      ///< their values after step n -> n + 1
+  LinearForm position;               ///< what `finish` reports after n steps
   LinearForm velocity;
 
   /// Coefficients of the carried vectors in `step`.

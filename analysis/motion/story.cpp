@@ -53,7 +53,8 @@ class Teller {
  private:
   /// Whether a row depends on nothing that is still untold, but for the allowed ones.
   bool is_ready(int s, const std::set<int>& allowed) const {
-    return std::ranges::all_of(left_, [&](int j) { return allowed.contains(j) || map_.step[s][j].is_zero(); });
+    return std::ranges::all_of(left_,
+                               [&](int j) { return allowed.contains(j) || map_.step[s][j].is_zero(); });
   }
 
   void add_weights(Quantity& q, const LinearForm& row, const std::set<int>& except) const {
@@ -69,7 +70,8 @@ class Teller {
     left_.erase(s);
   }
 
-  /// Two vectors p, q that depend on each other with (M - 1)^2 = 0: the increase d = (M - 1) p is a sum of forces, p the sum of d.
+  /// Two vectors p, q that depend on each other with (M - 1)^2 = 0: the increase d = (M - 1) p is a sum of
+  /// forces, p the sum of d.
   bool tell_pair() {
     for (int p : left_)
       for (int q : left_) {
@@ -88,7 +90,8 @@ class Teller {
         add_weights(increase, change, {p, q});
         const int place = static_cast<int>(told_.size());
         told_.push_back(std::move(increase));
-        Quantity position{map_.states[p], LinearForm::column(p), 1, {{place, 1}}, drive_of(map_, map_.step[p])};
+        Quantity position{
+            map_.states[p], LinearForm::column(p), 1, {{place, 1}}, drive_of(map_, map_.step[p])};
         add_weights(position, map_.step[p], {p, q});
         place_[p] = static_cast<int>(told_.size());
         told_.push_back(std::move(position));
@@ -113,7 +116,8 @@ class Teller {
 
   std::string free_name() const {
     std::string name = "d";
-    while (std::ranges::find(map_.states, name) != map_.states.end() || std::ranges::find(map_.letters, name) != map_.letters.end())
+    while (std::ranges::find(map_.states, name) != map_.states.end() ||
+           std::ranges::find(map_.letters, name) != map_.letters.end())
       name += "d";
     return name;
   }

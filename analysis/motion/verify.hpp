@@ -17,7 +17,8 @@ struct CounterExample {
   Rational claimed;                        ///< what the formula gives
 };
 
-/// Whether a formula for the position (or the velocity) after n steps is right for every n >= 0 and all values of the letters.
+/// Whether a formula for the position (or the velocity) after n steps is right for every n >= 0 and all
+/// values of the letters.
 struct Verdict {
   bool proved = false;
   std::optional<CounterExample> counter_example;  ///< the smallest n that refutes it
@@ -27,6 +28,7 @@ struct Verdict {
 /// Proves or refutes a formula in x0, v0, a (or f0..fD), h, t = n h, n, parameters.
 ///
 /// throws  Unable  when the formula uses something that sequences cannot carry
-Verdict verdict(const Derivation& derivation, const Program& program, const Values& given, const Expr& claimed, bool position);
+Verdict verdict(const Derivation& derivation, const Program& program, const Values& given,
+                const Expr& claimed, bool position);
 
 }  // namespace shortfall

@@ -9,8 +9,8 @@ std::vector<std::string> letter_names(const Tape& tape) {
   std::vector<std::string> names{"n", "h", "t", "k", "c"};
   for (const Tape::ParameterSlot& p : tape.parameters) names.push_back(p.name);
   if (static_cast<int>(names.size()) > kLetters)
-    throw Unable(tape.name + " has " + std::to_string(tape.parameters.size()) + " parameters; symbolic answers carry at most " +
-                 std::to_string(kLetters - kFirstParameter));
+    throw Unable(tape.name + " has " + std::to_string(tape.parameters.size()) +
+                 " parameters; symbolic answers carry at most " + std::to_string(kLetters - kFirstParameter));
   return names;
 }
 

@@ -27,7 +27,8 @@ std::vector<LinearForm> LinearForce::eliminated(std::vector<LinearForm> values) 
   for (int p = 0; p < count; ++p) {
     int row = p;
     while (row < count && matrix[row][p].is_zero()) ++row;
-    if (row == count) throw Undefined("an implicit stage has no unique solution: its linear system is singular");
+    if (row == count)
+      throw Undefined("an implicit stage has no unique solution: its linear system is singular");
     std::swap(matrix[row], matrix[p]);
     std::swap(values[row], values[p]);
     const Fraction pivot = matrix[p][p];

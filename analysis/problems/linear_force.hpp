@@ -12,7 +12,8 @@ namespace shortfall {
 
 /// x'' = f0 + f1 t + ... + fD t^D - k x - c v, in letters: one run of a step gives its exact affine map.
 ///
-/// Columns of a vector: the carried states (x, v, ...), then f0..fD, then the unknowns of a stage that is being solved.
+/// Columns of a vector: the carried states (x, v, ...), then f0..fD, then the unknowns of a stage that is
+/// being solved.
 struct LinearForce {
   using Scalar = Fraction;
   using Vector = LinearForm;
@@ -40,7 +41,8 @@ struct LinearForce {
   template <class F>
   void solve(std::vector<Vector>& unknowns, F&& f) const {
     std::vector<Vector> guess;
-    for (std::size_t u = 0; u < unknowns.size(); ++u) guess.push_back(LinearForm::column(unknown_column(static_cast<int>(u))));
+    for (std::size_t u = 0; u < unknowns.size(); ++u)
+      guess.push_back(LinearForm::column(unknown_column(static_cast<int>(u))));
     unknowns = eliminated(f(guess));
   }
 

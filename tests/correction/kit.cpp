@@ -22,27 +22,38 @@ namespace {
 Rational value(const Expr& e, const Values& values) {
   const auto& o = e->operands;
   switch (e->op) {
-    case Op::number: return e->value;
-    case Op::name: return values.at(e->name);
-    case Op::negate: return -value(o[0], values);
-    case Op::add: return value(o[0], values) + value(o[1], values);
-    case Op::subtract: return value(o[0], values) - value(o[1], values);
-    case Op::multiply: return value(o[0], values) * value(o[1], values);
-    case Op::divide: return value(o[0], values) / value(o[1], values);
+    case Op::number:
+      return e->value;
+    case Op::name:
+      return values.at(e->name);
+    case Op::negate:
+      return -value(o[0], values);
+    case Op::add:
+      return value(o[0], values) + value(o[1], values);
+    case Op::subtract:
+      return value(o[0], values) - value(o[1], values);
+    case Op::multiply:
+      return value(o[0], values) * value(o[1], values);
+    case Op::divide:
+      return value(o[0], values) / value(o[1], values);
     case Op::power: {
       std::int64_t exponent = 0;
       REQUIRE(value(o[1], values).fits_int64(exponent));
       return value(o[0], values).pow(static_cast<int>(exponent));
     }
-    default: FAIL("unexpected"); return 0;
+    default:
+      FAIL("unexpected");
+      return 0;
   }
 }
 
-/// Applies an option to the integrator itself, in rational numbers: launch once, force and term in every step, read-out at the end.
-/// Nothing of the closed forms is used.
+/// Applies an option to the integrator itself, in rational numbers: launch once, force and term in every
+/// step, read-out at the end. Nothing of the closed forms is used.
 bool repairs(const Program& program, int degree, int substeps, const CorrectionOption& option) {
   std::mt19937 random(7);
-  const auto draw = [&] { return Rational(static_cast<int>(random() % 41) - 20, 1 + static_cast<int>(random() % 7)); };
+  const auto draw = [&] {
+    return Rational(static_cast<int>(random() % 41) - 20, 1 + static_cast<int>(random() % 7));
+  };
   Values values = parameter_values(program);
   std::vector<Rational> f;
   for (int d = 0; d <= degree; ++d) {
@@ -54,7 +65,8 @@ bool repairs(const Program& program, int degree, int substeps, const CorrectionO
   const Rational v0 = draw();
   values["h"] = h;
   values["v0"] = v0;
-  const auto added = [&](Correction::Kind kind, const std::string& target, const Rational& t, const Rational& v = 0) {
+  const auto added = [&](Correction::Kind kind, const std::string& target, const Rational& t,
+                         const Rational& v = 0) {
     Rational total;
     Values at = values;
     at["t"] = t;
@@ -113,7 +125,9 @@ CorrectionKit kit_of(const std::string& integrator, int degree) {
 
 }  // namespace
 
-TEST_CASE("the origin story's fix: add -a h/2 to the launch, that is g h/2, and take it off the velocity read out") {
+TEST_CASE(
+    "the origin story's fix: add -a h/2 to the launch, that is g h/2, and take it off the velocity read "
+    "out") {
   const CorrectionKit kit = kit_of("symplectic-euler", 0);
   const CorrectionOption& launch = named(kit, "launch");
   CHECK(launch.exists);
@@ -129,7 +143,8 @@ TEST_CASE("for any polynomial force, kick-drift needs the force and launch serie
   const CorrectionKit kit = correction_kit(d);
   const CorrectionOption& option = named(kit, "force and launch");
   REQUIRE(option.exists);
-  // f~ - f = sum over k >= 1 of 2 h^{2k}/(2k+2)! f^{(2k)};  v0' - v0 = sum over k of (-1)^{k+1} h^{k+1}/(k+2)! f^{(k)}(0)
+  // f~ - f = sum over k >= 1 of 2 h^{2k}/(2k+2)! f^{(2k)};  v0' - v0 = sum over k of (-1)^{k+1}
+  // h^{k+1}/(k+2)! f^{(k)}(0)
   Values values{{"h", Rational(2, 7)}, {"t", Rational(3, 5)}};
   std::vector<Rational> f;
   for (int i = 0; i <= degree; ++i) {
@@ -146,7 +161,8 @@ TEST_CASE("for any polynomial force, kick-drift needs the force and launch serie
   Rational read_out;
   const Rational h = values["h"];
   for (int k = 0; k <= degree; ++k) {
-    if (k >= 1 && 2 * k <= degree) force += Rational(2) * h.pow(2 * k) / factorial(2 * k + 2) * derivative(2 * k, values["t"]);
+    if (k >= 1 && 2 * k <= degree)
+      force += Rational(2) * h.pow(2 * k) / factorial(2 * k + 2) * derivative(2 * k, values["t"]);
     const Rational weight = Rational(k % 2 == 0 ? -1 : 1) * h.pow(k + 1) / factorial(k + 2);
     launch += weight * derivative(k, 0);
     read_out -= weight * derivative(k, values["t"]);
@@ -212,6 +228,8 @@ TEST_CASE("an inconsistent step is named as such") {
   const Program lame = parse("integrator lame\nstep\n  v = v + h*a(x, v, t)\n  x = x + 0.9*h*v\n", "lame");
   const CorrectionKit kit = correction_kit(derivation(lame, 0, {}, 1, false));
   CHECK_FALSE(named(kit, "launch").exists);
-  CHECK(named(kit, "launch").obstruction.starts_with("the step is not consistent: even without a force the position is wrong"));
+  CHECK(
+      named(kit, "launch")
+          .obstruction.starts_with("the step is not consistent: even without a force the position is wrong"));
   CHECK_THROWS_AS(correction_kit(derivation(lame, 31, {}, 1, false)), Unable);
 }

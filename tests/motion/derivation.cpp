@@ -32,7 +32,8 @@ TEST_CASE("symplectic Euler falls short of gravity's parabola by -a h t / 2") {
 TEST_CASE("explicit Euler and drift-kick miss to the other side, second-order methods not at all") {
   CHECK(shortfall_of("explicit-euler") == "1/2*a*h*t");
   CHECK(shortfall_of("symplectic-euler-drift-kick") == "1/2*a*h*t");
-  for (const char* name : {"velocity-verlet", "midpoint", "rk4", "newmark", "leapfrog"}) CHECK(shortfall_of(name) == "0");
+  for (const char* name : {"velocity-verlet", "midpoint", "rk4", "newmark", "leapfrog"})
+    CHECK(shortfall_of(name) == "0");
 }
 
 TEST_CASE("N substeps shorten the shortfall N times") {
@@ -74,7 +75,9 @@ TEST_CASE("a wrong line is not proved") {
   const LineCheck check(map, quantities, 0, 6);
   const Expr x_n = name("x_n");
   const Names names = formula_names(p, 0);
-  const auto formula = [&](const char* text) { return parse_formula(text, "test", names, {Sort::vector, kLength}); };
+  const auto formula = [&](const char* text) {
+    return parse_formula(text, "test", names, {Sort::vector, kLength});
+  };
   CHECK(check.agree(x_n, formula("x0 + v0*t + 1/2*a*t^2 + 1/2*a*h*t"), "n", 0, 5));
   CHECK_FALSE(check.agree(x_n, formula("x0 + v0*t + 1/2*a*t^2 - 1/2*a*h*t"), "n", 0, 5));
   // Agreement at the beginning alone is not enough: s(1) = u h + a h^2 holds for n = 1 only.
@@ -100,19 +103,24 @@ TEST_CASE("parameters stay letters, or take the user's value") {
   const Program newmark = find_integrator("newmark");
   CHECK(print(derivation(newmark, 1, {}, 1, false).shortfall_velocity) == "-gamma*f1*h*t + 1/2*f1*h*t");
   CHECK(print(derivation(newmark, 1, {{"gamma", Rational(1, 2)}}, 1, false).shortfall_velocity) == "0");
-  CHECK_THROWS_WITH_AS(derivation(newmark, 0, {{"gama", 1}}), "newmark has no parameter 'gama'; did you mean 'gamma'?", BadInput);
+  CHECK_THROWS_WITH_AS(derivation(newmark, 0, {{"gama", 1}}),
+                       "newmark has no parameter 'gama'; did you mean 'gamma'?", BadInput);
 }
 
-TEST_CASE("a step with coefficients that depend on t, or with irrational eigenvalues, is refused with the reason") {
-  const Program driven = parse("integrator driven\nparam w : 1/T = 1\nstep\n  x = x + h*v + h*t*w*v\n", "driven");
+TEST_CASE(
+    "a step with coefficients that depend on t, or with irrational eigenvalues, is refused with the reason") {
+  const Program driven =
+      parse("integrator driven\nparam w : 1/T = 1\nstep\n  x = x + h*v + h*t*w*v\n", "driven");
   CHECK_THROWS_AS(derivation(driven, 0), Unable);
-  const Program rotating = parse("integrator rotating\nparam w : 1/T = 1\nstep\n  v = v - h*w^2*x\n  x = x + h*v\n", "rotating");
+  const Program rotating =
+      parse("integrator rotating\nparam w : 1/T = 1\nstep\n  v = v - h*w^2*x\n  x = x + h*v\n", "rotating");
   CHECK_THROWS_AS(derivation(rotating, 0), Unable);
   CHECK_THROWS_AS(derivation(find_integrator("rk4"), 1001), BadInput);
 }
 
 TEST_CASE("geometric sums: a damped step") {
-  const Program damped = parse("integrator damped\nparam q = 1/2\nstep\n  v = q*v + h*a(x, v, t)\n  x = x + h*v\n", "damped");
+  const Program damped =
+      parse("integrator damped\nparam q = 1/2\nstep\n  v = q*v + h*a(x, v, t)\n  x = x + h*v\n", "damped");
   const Derivation d = derivation(damped, 0);
   CHECK(d.proved());
   CHECK(d.form.spectrum.size() == 2);

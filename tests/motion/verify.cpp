@@ -43,7 +43,8 @@ TEST_CASE("a formula that is wrong at n = 0 is refuted there") {
 }
 
 TEST_CASE("a formula that holds from n = 1 on only is refuted at n = 0, or proved by the true start") {
-  const Verdict v = verdict_on("adams-bashforth-2", 1, "x0 + v0*t + f0*t^2/2 + f1*t^3/6 - 5/12*f1*h^2*t + 1/4*f1*h^3");
+  const Verdict v =
+      verdict_on("adams-bashforth-2", 1, "x0 + v0*t + f0*t^2/2 + f1*t^3/6 - 5/12*f1*h^2*t + 1/4*f1*h^3");
   CHECK_FALSE(v.proved);
   REQUIRE(v.counter_example);
   CHECK(v.counter_example->n == 0);
