@@ -36,10 +36,10 @@ struct Question {
   bool ascii = false;
   std::string output;
 
-  Program program() const;  ///< throws BadInput, SyntaxError
-  Values values() const;    ///< throws BadInput
-  Rational step() const;    ///< dt in seconds; throws BadInput
-  Rational gravity() const; ///< in m/s^2, positive downwards; throws BadInput
+  Program program() const;   ///< throws BadInput, SyntaxError
+  Values values() const;     ///< throws BadInput
+  Rational step() const;     ///< dt in seconds; throws BadInput
+  Rational gravity() const;  ///< in m/s^2, positive downwards; throws BadInput
 };
 
 /// Adds options to a command, with the same words everywhere.
@@ -52,7 +52,8 @@ void add_json(CLI::App& command, Question& q);
 void add_ascii(CLI::App& command, Question& q);
 void add_output(CLI::App& command, Question& q);
 
-/// Each file of a command has one of these: it declares the command; its callback does the work and returns through `code`.
+/// Each file of a command has one of these: it declares the command; its callback does the work and returns
+/// through `code`.
 void add_list(CLI::App& app, int& code);
 void add_show(CLI::App& app, int& code);
 void add_new(CLI::App& app, int& code);
@@ -61,10 +62,10 @@ void add_derive(CLI::App& app, int& code);
 void add_verify(CLI::App& app, int& code);
 void add_correct(CLI::App& app, int& code);
 void add_jump(CLI::App& app, int& code);
-
+void add_export(CLI::App& app, int& code);
 
 /// A new command: its group in the help, examples first.
-CLI::App* new_command(CLI::App& app, const std::string& group, const std::string& name, const std::string& what,
-                      const std::vector<std::string>& examples);
+CLI::App* new_command(CLI::App& app, const std::string& group, const std::string& name,
+                      const std::string& what, const std::vector<std::string>& examples);
 
 }  // namespace shortfall::cli

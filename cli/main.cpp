@@ -22,6 +22,7 @@ int run(int argc, char** argv) {
   add_jump(app, code);
   add_derive(app, code);
   add_correct(app, code);
+  add_export(app, code);
   add_verify(app, code);
   add_list(app, code);
   add_show(app, code);

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "notebooks-export/notebook_document.hpp"
+
+#include <cctype>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "analysis/program/print.hpp"
+#include "notebooks-export/python_expression.hpp"
+
+namespace shortfall {
+
+using Op = Expression::Op;
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr int kLineWidth = 72;  // characters of a formula that a notebook's column holds
+
+/// The lines of a cell as the format wants them: each with its line feed, but for the last.
+Json lines(const std::string& source) {
+  Json list = Json::array();
+  for (std::size_t begin = 0; begin < source.size();) {
+    const std::size_t feed = source.find('\n', begin);
+    const std::size_t end = feed == std::string::npos ? source.size() : feed + 1;
+    list.push_back(source.substr(begin, end - begin));
+    begin = end;
+  }
+  return list;
+}
+
+std::string latex(const Expr& e) {
+  std::string text = print(e, Style::latex);
+  for (const char* motion : {"x(t)", "v(t)", "x''(t)"}) {
+    const std::string to = motion;
+    const std::string from = "\\mathrm{" + to + "}";
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
+      text.replace(at, from.size(), to);
+  }
+  return text;
+}
+
+/// How wide an expression is in print, in characters.
+int width(const Expr& e) {
+  int characters = 0;
+  for (const char c : print(e, Style::unicode)) characters += (c & 0xC0) != 0x80;
+  return characters;
+}
+
+/// A sum's term as it is written behind its sign.
+std::string term_latex(const Expr& term) {
+  const std::string text = latex(binary(Op::add, number(0), term));
+  return text.substr(4);  // "0 + "
+}
+
+/// Lays terms out on lines of an aligned environment.
+class Lines {
+ public:
+  explicit Lines(const Expr& left) : text_(latex(left) + " ={}& "), column_(width(left) + 3) {}
+
+  void add(const Expr& e) {
+    if (e->op == Op::add || e->op == Op::subtract) {
+      add(e->operands[0]);
+      add_term(e->op == Op::add ? "+" : "-", e->operands[1]);
+    } else {
+      add_term("", e);
+    }
+  }
+
+  std::string str() const {
+    return broken_ ? "$$\n\\begin{aligned}\n" + text_ + "\n\\end{aligned}\n$$" : "$$ " + text_ + " $$";
+  }
+
+  bool broken() const { return broken_; }
+
+ private:
+  void add_term(const std::string& sign, const Expr& term) {
+    const int size = width(term) + (sign.empty() ? 0 : 3);
+    if (column_ + size > kLineWidth && !sign.empty() && column_ > kIndent) feed();
+    if (!sign.empty()) text_ += (fresh_ ? "{}" + sign : " " + sign) + " ";
+    fresh_ = false;
+    if (column_ + size > kLineWidth && term->op == Op::sum) {
+      add_sum(term);
+      return;
+    }
+    text_ += sign.empty() ? latex(term) : term_latex(term);
+    column_ += size;
+  }
+
+  /// A sum over more terms than a line holds: its parentheses span lines.
+  void add_sum(const Expr& e) {
+    text_ += "\\sum_{" + e->name + "=" + latex(e->operands[0]) + "}^{" + latex(e->operands[1]) + "} \\Bigl(";
+    column_ += 8;
+    add(e->operands[2]);
+    text_ += "\\Bigr)";
+  }
+
+  void feed() {
+    text_ += " \\\\\n& \\quad ";
+    column_ = kIndent;
+    broken_ = true;
+    fresh_ = true;
+  }
+
+  static constexpr int kIndent = 6;
+  std::string text_;
+  int column_;
+  bool broken_ = false;
+  bool fresh_ = false;
+};
+
+}  // namespace
+
+std::string NotebookDocument::json() const {
+  Json cells = Json::array();
+  int number = 0;
+  for (const Cell& cell : cells_) {
+    const std::string id = (number < 10 ? "0" : "") + std::to_string(number) + "-" + cell.what;
+    ++number;
+    Json json{{"cell_type", cell.is_code ? "code" : "markdown"}};
+    if (cell.is_code) json["execution_count"] = nullptr;
+    json["id"] = id.substr(0, 64);
+    json["metadata"] = Json::object();
+    if (cell.is_code) json["outputs"] = Json::array();
+    json["source"] = lines(cell.source);
+    cells.push_back(std::move(json));
+  }
+  const Json file{
+      {"cells", std::move(cells)},
+      {"metadata",
+       {{"kernelspec", {{"display_name", "Python 3"}, {"language", "python"}, {"name", "python3"}}},
+        {"language_info", {{"file_extension", ".py"}, {"mimetype", "text/x-python"}, {"name", "python"}}}}},
+      {"nbformat", 4},
+      {"nbformat_minor", 5}};
+  return file.dump(1) + "\n";
+}
+
+std::string markdown_escaped(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (std::string("\\`*_{}[]<>#$|~").find(c) != std::string::npos) result += '\\';
+    result += c == '\n' ? ' ' : c;
+  }
+  return result;
+}
+
+std::string displayed(const Expr& left, const Expr& right) {
+  Lines lines(left);
+  lines.add(flattened(right));
+  if (lines.broken()) return lines.str();
+  return "$$ " + latex(left) + " = " + latex(flattened(right)) + " $$";
+}
+
+std::string inlined(const Expr& e) { return "$" + latex(flattened(e)) + "$"; }
+
+std::string sentence(const std::string& text) {
+  std::string result = text;
+  if (!result.empty()) result[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(result[0])));
+  if (!result.ends_with('.')) result += '.';
+  return result;
+}
+
+}  // namespace shortfall
