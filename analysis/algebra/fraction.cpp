@@ -41,6 +41,11 @@ bool is_power_of_letter(const Polynomial& p) {
 
 }  // namespace
 
+const Polynomial& Fraction::one() {
+  static const Polynomial one = 1;
+  return one;
+}
+
 Fraction::Fraction(Polynomial numerator, Polynomial denominator)
     : numerator_(std::move(numerator)), denominator_(std::move(denominator)) {
   if (denominator_.is_zero()) throw Undefined("a fraction cannot have the denominator zero");
@@ -54,17 +59,26 @@ Fraction Fraction::letter(Letter letter, int exponent) {
   return result;
 }
 
-void Fraction::make_monic() {
-  const Rational leading = denominator_.terms().front().coefficient;
-  if (leading.is_one()) return;
-  const Rational factor = 1 / leading;
-  numerator_ *= factor;
-  denominator_ *= factor;
+/// A denominator that is monic, hence 1 when it is constant.
+void Fraction::set_denominator(Polynomial denominator) {
+  denominator_ = denominator.is_constant() ? Polynomial() : std::move(denominator);
 }
 
+void Fraction::make_monic() {
+  const Rational leading = denominator_.terms().front().coefficient;
+  if (!leading.is_one()) {
+    const Rational factor = 1 / leading;
+    numerator_ *= factor;
+    denominator_ *= factor;
+  }
+  if (denominator_.is_constant()) denominator_ = {};
+}
+
+/// Restores the invariant after a change of the numerator, or with any denominator but 0.
 void Fraction::reduce() {
+  if (denominator_.is_zero()) return;
   if (numerator_.is_zero()) {
-    denominator_ = 1;
+    denominator_ = {};
     return;
   }
   if (!denominator_.is_constant()) {
@@ -100,14 +114,14 @@ void Fraction::add(const Fraction& other, bool negated) {
     return;
   }
   // Only the common part of the denominators can cancel again.
-  const Polynomial common = gcd(denominator_, other.denominator_);
-  const Polynomial mine = without(denominator_, common);
-  Polynomial numerator = numerator_ * without(other.denominator_, common);
+  const Polynomial common = gcd(denominator(), other.denominator());
+  const Polynomial mine = without(denominator(), common);
+  Polynomial numerator = numerator_ * without(other.denominator(), common);
   accumulate(numerator, other.numerator_ * mine);
   const Polynomial cancels =
       common.is_constant() || numerator.is_zero() ? Polynomial(1) : gcd(numerator, common);
   numerator_ = without(numerator, cancels);
-  denominator_ = numerator_.is_zero() ? Polynomial(1) : mine * without(other.denominator_, cancels);
+  set_denominator(numerator_.is_zero() ? Polynomial() : mine * without(other.denominator(), cancels));
 }
 
 Fraction& Fraction::operator+=(const Fraction& other) {
@@ -129,10 +143,10 @@ Fraction& Fraction::operator*=(const Fraction& other) {
   }
   if (is_zero() || other.is_zero()) return *this = Fraction();
   // Each numerator can cancel only against the other denominator; products of monic polynomials are monic.
-  const Polynomial down = gcd(numerator_, other.denominator_);
-  const Polynomial up = gcd(other.numerator_, denominator_);
+  const Polynomial down = gcd(numerator_, other.denominator());
+  const Polynomial up = gcd(other.numerator_, denominator());
   Polynomial numerator = without(numerator_, down) * without(other.numerator_, up);
-  denominator_ = without(denominator_, up) * without(other.denominator_, down);
+  set_denominator(without(denominator(), up) * without(other.denominator(), down));
   numerator_ = std::move(numerator);
   return *this;
 }
@@ -144,7 +158,7 @@ Fraction& Fraction::operator/=(const Fraction& other) {
     return *this;
   }
   Fraction inverse;
-  inverse.numerator_ = other.denominator_;
+  inverse.numerator_ = other.denominator();
   inverse.denominator_ = other.numerator_;
   inverse.make_monic();
   return *this *= inverse;
@@ -153,35 +167,35 @@ Fraction& Fraction::operator/=(const Fraction& other) {
 Fraction Fraction::pow(int exponent) const {
   if (exponent < 0) {
     if (is_zero()) throw Undefined("zero has no negative power");
-    Fraction inverse = Fraction(1) / *this;
-    inverse.numerator_ = inverse.numerator_.pow(-exponent);
-    inverse.denominator_ = inverse.denominator_.pow(-exponent);
-    return inverse;
+    return (Fraction(1) / *this).pow(-exponent);
   }
   Fraction result;
   result.numerator_ = numerator_.pow(exponent);
-  result.denominator_ = denominator_.pow(exponent);
+  if (!is_polynomial() && exponent > 0) result.denominator_ = denominator_.pow(exponent);
   return result;
 }
 
 Fraction Fraction::substitute(Letter letter, const Fraction& value) const {
   if (!contains(letter)) return *this;
+  const Undefined vanishes("the denominator of a fraction vanishes where a letter is replaced");
   if (value.is_polynomial()) {
+    if (is_polynomial()) return numerator_.substitute(letter, value.numerator_);
     Polynomial below = denominator_.substitute(letter, value.numerator_);
-    if (below.is_zero()) throw Undefined("the denominator of a fraction vanishes where a letter is replaced");
+    if (below.is_zero()) throw vanishes;
     return Fraction(numerator_.substitute(letter, value.numerator_), std::move(below));
   }
   const Polynomial& p = value.numerator_;
   const Polynomial& q = value.denominator_;
   Polynomial above = homogenized(numerator_.coefficients(letter), p, q);
-  Polynomial below = homogenized(denominator_.coefficients(letter), p, q);
-  if (below.is_zero()) throw Undefined("the denominator of a fraction vanishes where a letter is replaced");
-  const int surplus = denominator_.degree(letter) - std::max(numerator_.degree(letter), 0);
+  Polynomial below = homogenized(denominator().coefficients(letter), p, q);
+  if (below.is_zero()) throw vanishes;
+  const int surplus = denominator().degree(letter) - std::max(numerator_.degree(letter), 0);
   (surplus > 0 ? above : below) *= q.pow(std::abs(surplus));
   return Fraction(std::move(above), std::move(below));
 }
 
 Rational Fraction::evaluate(const std::map<Letter, Rational>& values) const {
+  if (is_polynomial()) return numerator_.evaluate(values);
   const Rational below = denominator_.evaluate(values);
   if (below.is_zero()) throw Undefined("the denominator of a fraction vanishes at the values of its letters");
   return numerator_.evaluate(values) / below;

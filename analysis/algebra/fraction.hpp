@@ -8,11 +8,11 @@ namespace shortfall {
 /// A rational function: a quotient of two polynomials over the rationals.
 ///
 /// Invariant: in lowest terms, denominator monic (leading coefficient 1); so equality is structural. While
-/// the denominator is 1 no gcd is computed.
+/// the denominator is 1 no gcd is computed, and nothing is stored for it.
 class Fraction {
  public:
-  Fraction() : denominator_(1) {}
-  Fraction(Polynomial numerator) : numerator_(std::move(numerator)), denominator_(1) {}
+  Fraction() = default;
+  Fraction(Polynomial numerator) : numerator_(std::move(numerator)) {}
   Fraction(Rational constant) : Fraction(Polynomial(std::move(constant))) {}
   template <std::integral I>
   Fraction(I constant) : Fraction(Rational(constant)) {}
@@ -21,11 +21,12 @@ class Fraction {
   static Fraction letter(Letter letter, int exponent = 1);  ///< a negative exponent is allowed
 
   const Polynomial& numerator() const& { return numerator_; }
-  const Polynomial& denominator() const& { return denominator_; }
+  const Polynomial& denominator() const& { return is_polynomial() ? one() : denominator_; }
   Polynomial numerator() && { return std::move(numerator_); }
-  Polynomial denominator() && { return std::move(denominator_); }
+  Polynomial denominator() && { return is_polynomial() ? one() : std::move(denominator_); }
   bool is_zero() const { return numerator_.is_zero(); }
-  bool is_polynomial() const { return denominator_.is_constant(); }
+  bool is_one() const { return is_polynomial() && numerator_ == one(); }
+  bool is_polynomial() const { return denominator_.is_zero(); }
   bool is_constant() const { return is_polynomial() && numerator_.is_constant(); }
   bool contains(Letter letter) const { return numerator_.contains(letter) || denominator_.contains(letter); }
   Rational constant() const { return numerator_.constant(); }  ///< meaningful when is_constant()
@@ -66,8 +67,10 @@ class Fraction {
   void add(const Fraction&, bool negated);
   void reduce();
   void make_monic();
+  void set_denominator(Polynomial);
+  static const Polynomial& one();
   Polynomial numerator_;
-  Polynomial denominator_;
+  Polynomial denominator_;  ///< 0 stands for 1, the common case
 };
 
 }  // namespace shortfall
