@@ -58,6 +58,9 @@ int guarded(int argc, char** argv) {
   } catch (const BadInput& e) {
     say(std::string("shortfall: ") + e.what());
     return kUsage;
+  } catch (const UnreadableFile& e) {
+    say(std::string("shortfall: ") + e.what());
+    return kInputOutput;
   } catch (const Error& e) {  // Undefined, Unable: the question has no answer, or none that we can derive
     say(std::string("shortfall: ") + e.what());
     return kNotDerivable;

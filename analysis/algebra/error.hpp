@@ -30,6 +30,12 @@ class BadInput : public Error {
   using Error::Error;
 };
 
+/// A file that cannot be read: missing, a folder, no permission.
+class UnreadableFile : public Error {
+ public:
+  using Error::Error;
+};
+
 /// A text that is not in the .integrator language: what, and where.
 ///
 /// The message reads "file:line:column: what"; `context` is the line with a caret under the culprit.

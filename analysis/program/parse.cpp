@@ -13,9 +13,19 @@ namespace shortfall {
 
 namespace {
 
-const std::vector<std::string> kHeadWords{"alias", "source", "param", "state"};
-const std::vector<std::string> kBlockWords{"start", "step", "finish", "tableau", "expect"};
-const std::vector<std::string> kClaimWords{"exact", "shortfall", "shortfall-velocity"};
+// Functions and not constants: a file may be parsed while another translation unit sets up its own.
+const std::vector<std::string>& head_words() {
+  static const std::vector<std::string> words{"alias", "source", "param", "state"};
+  return words;
+}
+const std::vector<std::string>& block_words() {
+  static const std::vector<std::string> words{"start", "step", "finish", "tableau", "expect"};
+  return words;
+}
+const std::vector<std::string>& claim_words() {
+  static const std::vector<std::string> words{"exact", "shortfall", "shortfall-velocity"};
+  return words;
+}
 
 constexpr std::size_t kLongestName = 80;
 constexpr std::size_t kLongestRead = 1'000'001;  // one byte more than a source may have, whatever the file is
@@ -99,9 +109,9 @@ class FileParser {
                            : "an integrator file begins with: integrator NAME");
     }
     const bool assigned = next_is_equals(first);
-    if (is_one_of(first, kBlockWords) && !assigned) return open_block(first);
+    if (is_one_of(first, block_words()) && !assigned) return open_block(first);
     if (block_.empty()) return read_head(first);
-    if (is_one_of(first, kHeadWords) && !assigned)
+    if (is_one_of(first, head_words()) && !assigned)
       throw error("'" + first + "' stands at the head of the file, before the blocks");
     if (block_ == "tableau") return read_row(first);
     if (block_ == "expect") return read_claim(first);
@@ -175,11 +185,11 @@ class FileParser {
       }
       return;
     }
-    std::vector<std::string> words = kHeadWords;
-    words.insert(words.end(), kBlockWords.begin(), kBlockWords.end());
+    std::vector<std::string> words = head_words();
+    words.insert(words.end(), block_words().begin(), block_words().end());
     if (first.empty() || next_is_equals(first) || first == "solve" || first == "substeps")
       throw source_.error(place, "a statement stands in a start, step or finish block; none is open");
-    if (is_one_of(first, kClaimWords))
+    if (is_one_of(first, claim_words()))
       throw source_.error(place, "'" + first + "' is a claim and stands in an expect block; none is open");
     throw source_.error(place, "unknown word '" + first + "'" + did_you_mean(first, words));
   }
@@ -207,15 +217,15 @@ class FileParser {
   }
 
   void read_statement(std::vector<Statement>& block, const std::string& first) {
-    if (is_one_of(first, kClaimWords) && !next_is_equals(first))
+    if (is_one_of(first, claim_words()) && !next_is_equals(first))
       throw error("'" + first + "' is a claim and stands in an expect block");
     TokenReader in = reader();
     if (in.at("}")) return close_substeps(in);
     if (first == "solve" && !next_is_equals(first)) return read_solve(block, in);
     if (first == "substeps" && !next_is_equals(first)) return open_substeps(block, in);
     const Token name = in.expect_name("a statement NAME = EXPRESSION");
-    if (in.at_end() && !nearest(name.text, kBlockWords).empty())
-      throw error("unknown word '" + name.text + "'" + did_you_mean(name.text, kBlockWords));
+    if (in.at_end() && !nearest(name.text, block_words()).empty())
+      throw error("unknown word '" + name.text + "'" + did_you_mean(name.text, block_words()));
     for (const char* sign : {"+", "-", "*", "/"})
       if (in.at(sign)) {
         in.take();
@@ -281,9 +291,9 @@ class FileParser {
   void read_claim(const std::string& first) {
     if (first.empty() || next_is_equals(first))
       throw error("a statement stands in a start, step or finish block, not in expect");
-    if (!is_one_of(first, kClaimWords))
-      throw error("unknown claim '" + first + "'" + did_you_mean(first, kClaimWords) +
-                  (nearest(first, kClaimWords).empty()
+    if (!is_one_of(first, claim_words()))
+      throw error("unknown claim '" + first + "'" + did_you_mean(first, claim_words()) +
+                  (nearest(first, claim_words()).empty()
                        ? "; the claims are exact, shortfall, shortfall-velocity"
                        : ""));
     const Place place = here();
@@ -318,7 +328,7 @@ Program parse_file(const std::string& path) {
   std::string text(kLongestRead, '\0');
   in.read(text.data(), static_cast<std::streamsize>(text.size()));
   const bool read = in.gcount() > 0 || in.eof();
-  if (!read || in.bad()) throw BadInput("cannot read the file '" + path + "'");
+  if (!read || in.bad()) throw UnreadableFile("cannot read the file '" + path + "'");
   text.resize(static_cast<std::size_t>(in.gcount()));
   return parse(text, path);
 }

@@ -17,7 +17,7 @@ Program parse(std::string_view text, const std::string& file);
 
 /// The integrator in a file.
 ///
-/// throws  SyntaxError; BadInput  when the file cannot be read
+/// throws  SyntaxError; UnreadableFile
 Program parse_file(const std::string& path);
 
 /// A formula typed by a user, on one line, checked against the names it may use.

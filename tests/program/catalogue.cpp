@@ -16,7 +16,7 @@ namespace {
 std::string refusal(const std::string& word) {
   try {
     return "found " + find_integrator(word).name;
-  } catch (const BadInput& e) {
+  } catch (const Error& e) {
     return e.what();
   }
 }
