@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/notebook.hpp"
 
+#include <algorithm>
+
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/print.hpp"
 #include "notebooks-export/notebook_lecture.hpp"
@@ -27,22 +29,19 @@ std::string draws(const Lecture& l) {
   return text;
 }
 
-std::string letters_table(const Lecture& l) {
-  std::string text =
-      "| letter | meaning | dimension |\n|---|---|---|\n"
-      "| $x_0$, $v_0$ | position and velocity at the launch | L, L/T |\n";
+std::string letters_list(const Lecture& l) {
+  std::string text = "- $x_0$ and $v_0$: position and velocity at the launch (dimensions L, L/T)\n";
   if (l.d.degree == 0)
-    text += "| $a$ | the acceleration (force over mass) | L/T² |\n";
+    text += "- $a$: the acceleration, force over mass (L/T²)\n";
   else
-    text += "| $f_0, \\dots, f_{" + std::to_string(l.d.degree) +
-            "}$ | the coefficients of the acceleration (force over mass) | L/T², L/T³, ... |\n";
+    text += "- $f_0, \\dots, f_{" + std::to_string(l.d.degree) +
+            "}$: the coefficients of the acceleration, force over mass (L/T², L/T³, ...)\n";
   text +=
-      "| $h$ | the step, the time from frame to frame | T |\n"
-      "| $n$ | how many steps were taken | 1 |\n"
-      "| $t = n h$ | the time at frame $n$ | T |\n";
+      "- $h$: the step, the time from frame to frame (T)\n"
+      "- $n$: how many steps were taken; $t = n h$: the time then (T)\n";
   for (const auto& [parameter, value] : l.step.parameters())
-    text += "| " + inlined(name(parameter)) + " | a parameter of the integrator, usually " + value.str() +
-            " | " + l.program.parameter(parameter)->dimension.str() + " |\n";
+    text += "- " + inlined(name(parameter)) + ": a parameter of the integrator, usually " + value.str() +
+            " (" + l.program.parameter(parameter)->dimension.str() + ")\n";
   return text;
 }
 
@@ -70,9 +69,10 @@ std::string command(const Lecture& l) {
 
 void tell_title(Lecture& l) {
   const Derivation& d = l.d;
-  std::string text = "# " + d.integrator + (l.is_exact() ? " is exact" : " falls short") + "\n\n";
-  text += "**Under " + force_words(d) + (l.is_exact() ? "" : ": by how much, why, and what repairs it") +
-          ".**\n\n";
+  std::string text =
+      "# The shortfall of " + d.integrator + "\n\n**Under " + force_words(d) +
+      (l.is_exact() ? " it has none: it is exact at every frame" : ": what it is, why, and what repairs it") +
+      ".**\n\n";
   text +=
       "An integrator moves a body from frame to frame by a simple rule. This notebook finds where *" +
       d.integrator +
@@ -91,14 +91,16 @@ void tell_title(Lecture& l) {
       "with fractions, and Python's standard library is all it needs. Run all cells; a claim that is wrong "
       "stops "
       "the notebook there.\n\n" +
-      letters_table(l);
+      letters_list(l);
   l.document.text("title", text);
 }
 
 void tell_integrator(Lecture& l) {
   std::string text = l.heading("The integrator") + "\n\n";
   if (!l.program.description.empty()) text += sentence(markdown_escaped(l.program.description)) + "\n\n";
-  for (const std::string& source : l.program.sources) text += "- Source: " + markdown_escaped(source) + "\n";
+  for (const std::string& source : l.program.sources)
+    text += (&source == &l.program.sources.front() ? "Published by\n\n- " : "- ") + markdown_escaped(source) +
+            "\n";
   if (!l.program.sources.empty()) text += "\n";
   Program bare = l.program;
   bare.description.clear();
@@ -234,7 +236,7 @@ void tell_proof(Lecture& l) {
       "recurrence, "
       "here of order " +
       order + ": if they agree at " + order +
-      " consecutive $n$, they agree at all that follow. shortfall compared the result at " +
+      " consecutive $n$, they agree at all that follow. `shortfall` compared the result at " +
       std::to_string(proof.points) + " of them" +
       (l.d.steps.empty()
            ? ""
@@ -251,8 +253,9 @@ void tell_proof(Lecture& l) {
   for (const std::string& a : l.d.assumptions) text += "- " + sentence(markdown_escaped(a)) + "\n";
   text += "\nThis notebook was written by `" + command(l) + "`.";
   l.document.text("proof", text);
-  l.document.code("proof-check",
-                  "assert LAST - FIRST + 1 >= " + order + "\nprint(\"Every claim above holds.\")\n");
+  l.document.code("proof-check", "assert LAST - " + std::to_string(std::max(l.first, l.settled)) +
+                                     " >= " + std::to_string(l.points()) +
+                                     "  # enough for each line\nprint(\"Every claim above holds.\")\n");
 }
 
 std::string notebook(const Program& program, const Values& given, const Derivation& d,
@@ -267,6 +270,7 @@ std::string notebook(const Program& program, const Values& given, const Derivati
   tell_derivation(lecture);
   tell_result(lecture);
   tell_corrections(lecture);
+  tell_impossible(lecture);
   tell_jump(lecture);
   tell_proof(lecture);
   return lecture.document.json();

@@ -8,7 +8,7 @@ namespace shortfall {
 
 namespace {
 
-/// "launch_v0", "read_out_x": the quantity that a correction is added to, in words.
+/// What a correction is added to, in words.
 std::string what_it_is_added_to(const Correction& c, const Derivation& d) {
   switch (c.kind) {
     case Correction::Kind::launch:
@@ -51,9 +51,11 @@ std::string listed(const CorrectionOption& option, const Derivation& d) {
   return text;
 }
 
-std::string none_of_this_kind(const CorrectionOption& option) {
-  return "- **" + sentence(option.name) + "** " + sentence(markdown_escaped(option.obstruction)) +
-         " Known because " + markdown_escaped(option.proof) + ".\n";
+std::string title(const CorrectionOption& option) {
+  if (option.name == "launch") return "By the launch";
+  if (option.name == "force alone") return "By the force alone";
+  if (option.name == "term") return "By a term in every step";
+  return "By " + option.name;
 }
 
 /// Whether the shortfall is a change of the launch velocity in disguise: a constant times t.
@@ -112,11 +114,11 @@ void tell_corrections(Lecture& l) {
   for (const CorrectionOption& option : l.kit.options) {
     if (!option.exists) continue;
     const Correction* launch = as_launch(l, option);
-    text = "### " + sentence(option.name) + "\n\n" + listed(option, l.d);
-    text.erase(text.find(".\n\n"), 1);
-    std::string code = motion_function(l, repair_name(option), "The frames of the corrected motion.",
-                                       repair(option), false) +
-                       "\n\n";
+    text = "### " + title(option) + "\n\n" + listed(option, l.d);
+    std::string code =
+        motion_function(l, repair_name(option), "Position and velocity at frames 0..steps, corrected.",
+                        repair(option), false) +
+        "\n\n";
     code += "for letters in draws:\n";
     code += "    frames = " + repair_name(option) +
             "(LAST, **letters)\n    for n in range(FIRST, LAST + 1):\n" +
@@ -133,14 +135,10 @@ void tell_corrections(Lecture& l) {
               8, "assert shortfall_position(n, **letters) == ", "(" + l.python(launch->add) + ") * (n * h)") +
           "\n";
     }
-    code += "print(\"Exact at every frame.\")\n";
+    code += "print(f\"Exact at frames {FIRST} to {LAST}, for {len(draws)} sets of letters.\")\n";
     l.document.text("correction", text);
     l.document.code("correction-check", code);
   }
-  text.clear();
-  for (const CorrectionOption& option : l.kit.options)
-    if (!option.exists) text += none_of_this_kind(option);
-  if (!text.empty()) l.document.text("no-correction", "### What cannot repair it\n\n" + text);
 }
 
 }  // namespace shortfall

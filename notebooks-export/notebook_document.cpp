@@ -18,7 +18,8 @@ namespace {
 constexpr int kLineWidth = 72;  // characters of a formula that a notebook's column holds
 
 /// The lines of a cell as the format wants them: each with its line feed, but for the last.
-Json lines(const std::string& source) {
+Json lines(std::string source) {
+  while (source.ends_with('\n')) source.pop_back();
   Json list = Json::array();
   for (std::size_t begin = 0; begin < source.size();) {
     const std::size_t feed = source.find('\n', begin);

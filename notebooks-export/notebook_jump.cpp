@@ -100,7 +100,7 @@ void tell_corrected(Lecture& l, const std::vector<Jump>& jumps) {
   if (!best) return;
   const std::string function = repair_name(*best);
   std::string text =
-      "With the correction *" + best->name + "* of the last section every frame lies on the true parabola";
+      "With the correction *" + best->name + "* from above every frame lies on the true parabola";
   const Expr& by = repair(*best).launch_v;
   std::string code = "for height in claims:\n" + flight(function, false) +
                      "    for n in range(FIRST, LONG + 1):\n"
@@ -124,7 +124,7 @@ void tell_corrected(Lecture& l, const std::vector<Jump>& jumps) {
     text += " With $a = -g$ it adds " + inlined(by) + " $= " + velocity + "$ m/s to every launch.";
     code = "a, h = -g, dt\nassert rounded(" + l.python(by) + ", 4) == \"" + velocity + "\"\n" + code;
   }
-  code = "LONG = 80  # frames\n" + code + "print(\"Corrected, every frame lies on the true parabola.\")\n";
+  code += "print(\"Corrected, every frame lies on the true parabola.\")\n";
   l.document.text("jump-corrected", text);
   l.document.code("jump-corrected-check", code);
 }
@@ -147,9 +147,10 @@ void tell_jump(Lecture& l) {
       "1/50$ s, this "
       "is what a player sees:\n\n" +
       table(jumps) +
-      "\nThe first part is the shortfall that was derived above, with $a = -g$ at the time of the highest "
-      "frame; the "
-      "second is there for any integrator, because the true top falls between two frames.";
+      "\nThe integrator's part is the shortfall that was derived above, with $a = -g$ at the time of the "
+      "highest "
+      "frame. The other part is there for any integrator, because the true top falls between two frames.";
+  if (jumps.front().shortfall.total.sign() < 0) text += " A minus sign says that the body rises too high.";
   l.document.text("jump", text);
   l.document.code("jump-check",
                   helpers(l) + "\n\n" + "LONG = 80  # frames, more than either jump takes\n" + claims(jumps) +
@@ -165,7 +166,7 @@ void tell_jump(Lecture& l) {
     assert rounded(100 * (height - x[n]), 9) == short
     assert rounded(100 * lost, 9) == by_integrator
     assert rounded(100 * missed, 9) == between
-    print(f"A jump to {rounded(height, 2)} m: frame {n} is the highest, {short} cm short.")
+    print(f"A jump to {rounded(height, 2)} m: frame {n} is the highest, short by {short} cm.")
 )py");
   if (!l.is_exact()) tell_corrected(l, jumps);
   l.document.text(

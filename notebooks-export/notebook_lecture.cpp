@@ -36,7 +36,7 @@ Lecture::Lecture(const Program& p, const Values& g, const Derivation& derived, c
       step(p, g, derived.substeps),
       first(derived.form.valid_from),
       settled(settled_frame(derived)) {
-  last = std::max(kFewestFrames, std::max(first, settled) + d.proof.recurrence);
+  last = std::max(kFewestFrames, std::max(first, settled) + points());
   wording_.name = [this](const std::string& name) { return step.name(name); };
   wording_.whole = {"n", "k"};
 }
@@ -59,6 +59,8 @@ Expr Lecture::acceleration() const {
     total = total + name(column_name(2 + i, d.degree)) * power(name("t"), i);
   return total;
 }
+
+int Lecture::points() const { return d.steps.empty() ? d.proof.points : d.steps.front().points; }
 
 Expr Lecture::reported(const std::string& letter) const {
   const std::string made = letter + "_out";
@@ -89,7 +91,8 @@ std::string motion_function(const Lecture& l, const std::string& name, const std
     return by ? l.python(shortfall::name(start) + by) : start;
   };
   const std::string state = l.step.state();
-  std::string text = "def " + name + "(steps, " + l.arguments() + "):\n    \"\"\"" + what + "\"\"\"\n";
+  std::string text =
+      "def " + name + "(steps, " + r.arguments + l.arguments() + "):\n    \"\"\"" + what + "\"\"\"\n";
   const Expr f = r.force ? l.acceleration() + r.force : l.acceleration();
   text += "\n    def force(x, v, t):\n" + wrapped(8, "return ", l.python(f)) + "\n\n    t = Fraction(0)\n";
   if (r.launch_x) text += wrapped(4, "x = ", shifted("x0", r.launch_x)) + "\n";

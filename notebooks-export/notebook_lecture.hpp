@@ -43,6 +43,8 @@ class Lecture {
   Expr acceleration() const;
   /// What is read out at frame n: x_n, or x_out where `finish` makes it.
   Expr reported(const std::string& letter) const;
+  /// At how many consecutive n a line of the derivation is proved.
+  int points() const;
   /// "n = 0, ..., 12".
   std::string frames() const;
   /// The next section's heading: "## 3. The derivation".
@@ -64,6 +66,7 @@ struct Repair {
   Expr force;
   Expr term_x;
   Expr term_v;
+  std::string arguments;  ///< more arguments, which these formulas use: "push_x, "
 };
 
 /// def NAME(steps, LETTERS): the frames of a motion, stepped, with the corrections applied.
@@ -84,6 +87,7 @@ void tell_problem(Lecture& lecture);
 void tell_derivation(Lecture& lecture);
 void tell_result(Lecture& lecture);
 void tell_corrections(Lecture& lecture);
+void tell_impossible(Lecture& lecture);
 void tell_jump(Lecture& lecture);
 void tell_proof(Lecture& lecture);
 

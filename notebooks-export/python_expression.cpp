@@ -31,7 +31,7 @@ class Writer {
       case Op::name:
         return {wording_.name(e->name), kAtom};
       case Op::negate:
-        return {"-" + bound(e->operands[0], kPower), kSign};
+        return {"-" + bound(e->operands[0], kProduct, true), kSign};
       case Op::add:
         return {bound(e->operands[0], kSum) + " + " + bound(e->operands[1], kProduct, true), kSum};
       case Op::subtract:
@@ -46,6 +46,8 @@ class Writer {
         return {"a(" + of(e->operands[0]).text + ", " + of(e->operands[1]).text + ", " +
                     of(e->operands[2]).text + ")",
                 kAtom};
+      case Op::call:
+        return of_call(e);
       case Op::sum:
         return of_sum(e);
     }
@@ -81,6 +83,14 @@ class Writer {
     std::string base = bound(e->operands[0], kAtom);
     if (negative && is_whole(e->operands[0], wording_)) base = "Fraction(" + of(e->operands[0]).text + ")";
     return {base + "**" + (exponent.binding < kSign ? "(" + exponent.text + ")" : exponent.text), kPower};
+  }
+
+  /// Functions of a linear motion, by their names in Python's math and in mpmath alike.
+  Piece of_call(const Expr& e) const {
+    if (e->name == "pow") return {bound(e->operands[0], kAtom) + "**" + bound(e->operands[1], kAtom), kPower};
+    std::string text;
+    for (const Expr& operand : e->operands) text += (text.empty() ? "" : ", ") + of(operand).text;
+    return {e->name + "(" + text + ")", kAtom};
   }
 
   Piece of_sum(const Expr& e) const {
@@ -137,6 +147,7 @@ bool is_whole(const Expr& e, const PythonWording& wording) {
              e->operands[1]->value.sign() >= 0;
     case Op::divide:
     case Op::force:
+    case Op::call:
       return false;
     case Op::sum: {
       PythonWording inside = wording;
