@@ -114,6 +114,7 @@ class Writer {
         return {bound(e->operands[0], kProduct) + " / " + bound(e->operands[1], kSign), kProduct};
       case Op::power:
         return of_power(e);
+      case Op::call:
       case Op::force:
       case Op::sum:
         break;

@@ -49,6 +49,7 @@ class Evaluation {
         return scaled(of(e->operands[0]), reciprocal(e->operands[1]));
       case Op::power:
         return {power(e), {}};
+      case Op::call:
       case Op::force:
       case Op::sum:
         break;

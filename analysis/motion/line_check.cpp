@@ -130,10 +130,11 @@ LineCheck::Value LineCheck::evaluated(const Expr& e, const Indices& indices) con
       if (is_vector) return vectors;
       return scalars;
     }
+    case Op::call:
     case Op::force:
       break;
   }
-  throw Error("a derivation cannot call the force");
+  throw Error("a derivation cannot call a function");
 }
 
 }  // namespace shortfall

@@ -26,6 +26,10 @@ Expr binary(Op op, Expr a, Expr b, Place place) { return make(op, {std::move(a),
 Expr force(Expr x, Expr v, Expr t, Place place) {
   return make(Op::force, {std::move(x), std::move(v), std::move(t)}, place);
 }
+Expr call(std::string function, std::vector<Expr> arguments, Place place) {
+  return std::make_shared<const Expression>(
+      Expression{Op::call, {}, std::move(function), std::move(arguments), place});
+}
 Expr sum(std::string index, Expr from, Expr to, Expr body) {
   return std::make_shared<const Expression>(
       Expression{Op::sum, {}, std::move(index), {std::move(from), std::move(to), std::move(body)}, {}});
@@ -86,7 +90,7 @@ Expr replace(const Expr& e, const std::string& from, const Expr& to) {
 }
 
 Place beginning(const Expr& e) {
-  const bool inside = e->op != Op::force && e->op != Op::negate && !e->operands.empty();
+  const bool inside = e->op != Op::force && e->op != Op::call && e->op != Op::negate && !e->operands.empty();
   return inside ? beginning(e->operands[0]) : e->place;
 }
 

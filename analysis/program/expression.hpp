@@ -31,6 +31,7 @@ struct Expression {
     divide,    ///< operands[0] / operands[1]
     power,     ///< operands[0] ^ operands[1]
     force,     ///< a(operands[0], operands[1], operands[2])
+    call,      ///< name(operands...), a function of scalars: sqrt, exp, ...; see function.hpp
     sum,       ///< sum of operands[2] for name = operands[0] .. operands[1]; in derivations only
   };
 
@@ -46,6 +47,8 @@ Expr name(std::string name, Place place = {});
 Expr negate(Expr a, Place place = {});
 Expr binary(Expression::Op op, Expr a, Expr b, Place place = {});
 Expr force(Expr x, Expr v, Expr t, Place place = {});
+/// function(arguments), such as call("exp", {e}).
+Expr call(std::string function, std::vector<Expr> arguments, Place place = {});
 /// sum of body for index = from .. to
 Expr sum(std::string index, Expr from, Expr to, Expr body);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <map>
 #include <set>
 #include <string_view>
@@ -37,13 +38,23 @@ std::string subscript(std::string_view digits) {
   return in_characters(digits, {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉", "₋"});
 }
 
-const std::map<std::string, std::string> kVulgar{{"1/2", "½"}, {"1/3", "⅓"}, {"2/3", "⅔"}, {"1/4", "¼"},
-                                                 {"3/4", "¾"}, {"1/5", "⅕"}, {"1/6", "⅙"}, {"5/6", "⅚"},
-                                                 {"1/8", "⅛"}, {"3/8", "⅜"}, {"5/8", "⅝"}, {"7/8", "⅞"}};
+/// The character of a fraction, "" when it has none.
+std::string vulgar_fraction(const std::string& text) {
+  static const std::map<std::string, std::string> characters{
+      {"1/2", "½"}, {"1/3", "⅓"}, {"2/3", "⅔"}, {"1/4", "¼"}, {"3/4", "¾"}, {"1/5", "⅕"},
+      {"1/6", "⅙"}, {"5/6", "⅚"}, {"1/8", "⅛"}, {"3/8", "⅜"}, {"5/8", "⅝"}, {"7/8", "⅞"}};
+  const auto found = characters.find(text);
+  return found == characters.end() ? "" : found->second;
+}
 
-const std::map<std::string, std::string> kGreek{
-    {"alpha", "α"},  {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"rho", "ρ"}, {"theta", "θ"},
-    {"lambda", "λ"}, {"xi", "ξ"},   {"chi", "χ"},   {"omega", "ω"}, {"mu", "μ"}};
+/// The Greek letter that a name spells, "" when it spells none.
+std::string greek_letter(const std::string& name) {
+  static const std::map<std::string, std::string> letters{
+      {"alpha", "α"},  {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"rho", "ρ"}, {"theta", "θ"},
+      {"lambda", "λ"}, {"xi", "ξ"},   {"chi", "χ"},   {"omega", "ω"}, {"mu", "μ"}};
+  const auto found = letters.find(name);
+  return found == letters.end() ? "" : found->second;
+}
 
 class Printer {
  public:
@@ -76,6 +87,8 @@ class Printer {
         return {"a" + open() + of(e->operands[0]).text + ", " + of(e->operands[1]).text + ", " +
                     of(e->operands[2]).text + close(),
                 kAtom};
+      case Op::call:
+        return of_call(e);
       case Op::sum:
         return of_sum(e);
     }
@@ -122,26 +135,23 @@ class Printer {
       return {sign + "\\frac{" + size.numerator().str() + "}{" + size.denominator().str() + "}",
               negative ? kSign : kPower};
     if (style_ == Style::unicode)
-      if (const auto vulgar = kVulgar.find(size.str()); vulgar != kVulgar.end())
-        return {sign + vulgar->second, negative ? kSign : kPower};
+      if (const std::string vulgar = vulgar_fraction(size.str()); !vulgar.empty())
+        return {sign + vulgar, negative ? kSign : kPower};
     return {sign + size.str(), negative ? kSign : kProduct};
   }
 
   /// The finite decimal that a positive rational is, "0.25" or "1e-400"; "" when it is none.
   static std::string exact_decimal(const Rational& value) {
-    int places = 0;
-    for (const int prime : {2, 5}) {
-      Rational left = value.denominator();
-      int power = 0;
-      for (Rational next = left / prime; next.is_integer(); next = left / prime, ++power) left = next;
-      places = std::max(places, power);
-    }
-    const Rational whole = value * Rational(10).pow(places);
+    if (value.is_zero()) return "0";
+    // A power of 2 or 5 that divides d is at most log2(d), and that is less than four times the digits of d.
+    const int shift = value.is_integer() ? 0 : 4 * static_cast<int>(value.denominator().digits());
+    const Rational whole = value * Rational(10).pow(shift);
     if (!whole.is_integer()) return "";
     std::string digits = whole.str();
-    const std::size_t zeros = value.is_zero() ? 0 : digits.size() - 1 - digits.find_last_not_of('0');
-    if (places <= kMostPlaces && zeros <= kMostPlaces) return value.decimal(places);
-    return digits.substr(0, digits.size() - zeros) + "e" + std::to_string(static_cast<long>(zeros) - places);
+    const std::size_t zeros = digits.size() - 1 - digits.find_last_not_of('0');
+    const int exponent = static_cast<int>(zeros) - shift;
+    if (std::abs(exponent) <= kMostPlaces) return value.decimal(std::max(0, -exponent));
+    return digits.substr(0, digits.size() - zeros) + "e" + std::to_string(exponent);
   }
 
   /// A stem that gets an index of its own: a0 becomes a^{(0)}, so that it does not carry two indices below.
@@ -178,9 +188,9 @@ class Printer {
     } else if (stem.ends_with('_')) {
       stem.pop_back();
     }
-    const auto greek = kGreek.find(stem);
+    const std::string greek = greek_letter(stem);
     if (style_ == Style::latex) {
-      if (greek != kGreek.end())
+      if (!greek.empty())
         stem = "\\" + stem;
       else if (stem.size() > 1)
         stem = "\\mathrm{" + stem + "}";
@@ -188,7 +198,7 @@ class Printer {
       const bool words = index.size() > 1 && (index[0] < '0' || index[0] > '9');
       return stem + "_{" + (words ? "\\mathrm{" + index + "}" : index) + "}";
     }
-    if (greek != kGreek.end()) stem = greek->second;
+    if (!greek.empty()) stem = greek;
     const bool all_digits = index.find_first_not_of("0123456789") == std::string::npos;
     return stem + (index.empty() ? "" : all_digits ? subscript(index) : "_" + index);
   }
@@ -212,6 +222,37 @@ class Printer {
     if (style_ == Style::unicode && exponent == "n") return {base + "ⁿ", kPower};
     const bool plain = whole || raw->op == Op::name;
     return {base + "^" + (plain ? exponent : "(" + exponent + ")"), kPower};
+  }
+
+  std::string listed(const std::vector<Expr>& operands) const {
+    std::string text;
+    for (const Expr& operand : operands) text += (text.empty() ? "" : ", ") + of(operand).text;
+    return text;
+  }
+
+  Piece of_call(const Expr& e) const {
+    const std::string& f = e->name;
+    if (style_ == Style::language) return {f + "(" + listed(e->operands) + ")", kAtom};
+    if (f == "pow") {
+      const std::string exponent = of(e->operands[1]).text;
+      const std::string base = bound(e->operands[0], kAtom);
+      if (style_ == Style::latex) return {base + "^{" + exponent + "}", kPower};
+      return {base + "^" + (exponent.find(' ') == std::string::npos ? exponent : "(" + exponent + ")"),
+              kPower};
+    }
+    if (style_ == Style::unicode) {
+      if (f != "sqrt") return {f + "(" + listed(e->operands) + ")", kAtom};
+      const bool bare = of(e->operands[0]).binding == kAtom;
+      return {"√" + (bare ? listed(e->operands) : "(" + listed(e->operands) + ")"), kPower};
+    }
+    if (f == "sqrt") return {"\\sqrt{" + listed(e->operands) + "}", kAtom};
+    if (f == "exp") return {"e^{" + listed(e->operands) + "}", kPower};
+    return {latex_function(f) + open() + listed(e->operands) + close(), kAtom};
+  }
+
+  static std::string latex_function(const std::string& f) {
+    if (f == "acosh") return "\\operatorname{arcosh}";
+    return f[0] == 'a' ? "\\arc" + f.substr(1) : "\\" + f;
   }
 
   Piece of_sum(const Expr& e) const {

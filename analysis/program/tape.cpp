@@ -35,6 +35,7 @@ Rational value_of(const Expr& e, const Values& values) {
       value_of(e->operands[1], values).fits_int64(exponent);
       return value_of(e->operands[0], values).pow(static_cast<int>(exponent));
     }
+    case Op::call:
     case Op::force:
     case Op::sum:
       break;

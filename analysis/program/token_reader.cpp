@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <set>
 
+#include "analysis/program/function.hpp"
+
 namespace shortfall {
 
 namespace {
@@ -164,8 +166,8 @@ void TokenReader::refuse_unclosed(const Token& open) const {
 }
 
 void TokenReader::refuse_call(const Token& function, const Token& open, std::size_t values) const {
-  static const std::set<std::string, std::less<>> kElsewhere{
-      "abs", "cbrt", "cos", "exp", "ln", "log", "max", "min", "pow", "sin", "sgn", "sqrt", "tan", "tanh"};
+  static const std::set<std::string, std::less<>> kElsewhere{"abs", "asin", "atan2", "cbrt", "ln",
+                                                             "log", "sgn",  "tan",   "tanh"};
   if (kElsewhere.contains(function.text))
     throw error(function.place,
                 "there is no function '" + function.text + "'; the only one is the force, a(x, v, t)");
@@ -184,6 +186,14 @@ Expr TokenReader::call(const Token& function) {
   }
   if (!at(")")) refuse_unclosed(open);
   take();
+  if (const auto f = function_named(function.text)) {
+    const auto count = static_cast<std::size_t>(arity(*f));
+    if (arguments.size() != count)
+      throw error(function.place, function.text + " takes " + std::to_string(count) +
+                                      (count == 1 ? " value" : " values") + "; found " +
+                                      std::to_string(arguments.size()));
+    return shortfall::call(function.text, std::move(arguments), function.place);
+  }
   if (function.text != "a") refuse_call(function, open, arguments.size());
   if (arguments.size() != 3)
     throw error(function.place, "a takes 3 values, position, velocity, time: a(x, v, t); found " +

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/program/function.hpp"
 #include "analysis/program/suggest.hpp"
 
 namespace shortfall {
@@ -46,6 +47,8 @@ class Typing {
         return of_power(e);
       case Op::force:
         return of_force(e);
+      case Op::call:
+        return of_call(e);
       case Op::sum:
         break;
     }
@@ -176,6 +179,68 @@ class Typing {
                                                            wanted[i].str() + "; found " + given.type.str());
     }
     return {{Sort::vector, kAcceleration}, {}, growth};
+  }
+
+  Judgement of_call(const Expr& e) const {
+    const Function f = *function_named(e->name);
+    const bool allowed = names_.functions == Functions::all ||
+                         (names_.functions == Functions::of_programs && stands_in_programs(f));
+    if (!allowed)
+      throw source_.error(e->place,
+                          "there is no function '" + e->name + "'; the only one is the force, a(x, v, t)");
+    std::vector<Judgement> given;
+    int growth = 1;
+    for (const Expr& operand : e->operands) {
+      given.push_back(of(operand));
+      growth = std::max(growth, given.back().growth);
+      if (given.back().type.sort == Sort::vector)
+        throw source_.error(beginning(operand), e->name + " takes scalars; found " + given.back().type.str());
+    }
+    Judgement j{{Sort::scalar, kPure}, {}, growth};
+    switch (f) {
+      case Function::sqrt:
+        j.type.dimension = halved(e, given[0]);
+        if (given[0].value && given[0].value->sign() < 0)
+          throw source_.error(e->place, "the square root of a negative number");
+        break;
+      case Function::max:
+      case Function::min:
+        j.type.dimension = common(e, given).dimension;
+        break;
+      case Function::pow:
+        require_pure(e, 0, given[0]);
+        if (!given[1].type.same_as({Sort::scalar, kTime})) require_pure(e, 1, given[1]);
+        break;
+      default:
+        require_pure(e, 0, given[0]);
+    }
+    return j;
+  }
+
+  Dimension halved(const Expr& e, const Judgement& given) const {
+    const Dimension d = given.type.dimension;
+    if (d.length % 2 != 0 || d.time % 2 != 0)
+      throw source_.error(beginning(e->operands[0]),
+                          "the square root of a " + given.type.str() + " has no dimension of whole powers");
+    return {d.length / 2, d.time / 2};
+  }
+
+  Type common(const Expr& e, const std::vector<Judgement>& given) const {
+    if (given[0].type.zero) return given[1].type;
+    if (!given[1].type.zero && !given[0].type.same_as(given[1].type))
+      throw source_.error(
+          beginning(e->operands[1]),
+          e->name + " compares like with like, not " + given[0].type.str() + " with " + given[1].type.str());
+    return given[0].type;
+  }
+
+  void require_pure(const Expr& e, std::size_t operand, const Judgement& given) const {
+    if (given.type.zero || given.type.dimension == kPure) return;
+    throw source_.error(
+        beginning(e->operands[operand]),
+        e->name == "pow" && operand == 1
+            ? "the exponent of pow is a number or a time (in seconds); found " + given.type.str()
+            : e->name + " takes a number without dimension; found " + given.type.str());
   }
 
   /// Whether it is made of numbers only, so that no parameter can change its value.

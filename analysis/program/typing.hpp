@@ -19,6 +19,9 @@ struct Judgement {
   int growth = 1;                 ///< a bound on the powers that it multiplies up to
 };
 
+/// Which functions besides the force may be called.
+enum class Functions { none, of_programs, all };
+
 /// What is known of the names at a point of a program.
 struct Names {
   struct Entry {
@@ -32,6 +35,7 @@ struct Names {
   std::map<std::string, std::string> hints;  ///< what to say of a name that is unknown here
   std::string allowed;  ///< what a name may be here, said of one that is not: "; a default may use ..."
   bool force = true;    ///< whether a(x, v, t) may be called
+  Functions functions = Functions::none;
   bool symbolic_powers = false;  ///< whether an exponent may be a name, as in r^n
 
   void declare(const std::string& name, Type type, bool assigned = true) { known[name] = {type, assigned}; }
