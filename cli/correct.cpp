@@ -3,12 +3,14 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit.hpp"
+#include "analysis/correction/linear_kit.hpp"
 #include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
 #include "cli/force.hpp"
 #include "cli/output.hpp"
 #include "notebooks-export/code.hpp"
 #include "notebooks-export/code_kit.hpp"
+#include "notebooks-export/linear_text.hpp"
 #include "notebooks-export/result_json.hpp"
 #include "notebooks-export/result_text.hpp"
 
@@ -28,7 +30,19 @@ std::string as_code(const Question& q, const std::string& word) {
   return kit_code(correction_kit(d), d, *language);
 }
 
+int correct_linear(const Question& q, const Force& force) {
+  const Program program = q.program();
+  const LinearKit kit = linear_kit(program, force, q.values(), q.substeps);
+  const Style style = q.ascii ? Style::language : Style::unicode;
+  if (q.json)
+    write_output(as_json(kit, linear_derivation(program, force, q.values(), q.substeps)).dump(2) + "\n", q.output);
+  else
+    write_output(program.name + ", force " + force.text + "\n" + as_text(kit, style), q.output);
+  return kit.exists ? kDone : kNotDerivable;
+}
+
 int correct(const Question& q) {
+  if (const Force force = force_named(q.force); force.linear()) return correct_linear(q, force);
   const Derivation d = derivation(q.program(), force_degree(q.force), q.values(), q.substeps, false);
   const CorrectionKit kit = correction_kit(d);
   if (q.json) {

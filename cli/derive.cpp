@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
+#include <nlohmann/json.hpp>
+
 #include "analysis/correction/kit.hpp"
+#include "analysis/correction/linear_kit.hpp"
 #include "cli/command.hpp"
 #include "cli/force.hpp"
 #include "cli/output.hpp"
+#include "notebooks-export/linear_text.hpp"
 #include "notebooks-export/result_json.hpp"
 #include "notebooks-export/result_text.hpp"
 
@@ -15,7 +19,21 @@ namespace {
 constexpr int kHighestWithKit = 30;         // solving for the kit grows with the cube of the degree
 constexpr int kHighestWithDerivation = 30;  // nobody reads the lines of a higher one
 
+int derive_linear(const Question& q, const Force& force) {
+  const Program program = q.program();
+  const LinearDerivation d = linear_derivation(program, force, q.values(), q.substeps);
+  const LinearKit kit = linear_kit(program, force, q.values(), q.substeps);
+  if (q.json)
+    write_output(as_json(d, kit).dump(2) + "\n", q.output);
+  else if (q.latex)
+    write_output(as_latex(d, kit), q.output);
+  else
+    write_output(as_text(d, kit, q.ascii ? Style::language : Style::unicode), q.output);
+  return d.proved() ? kDone : kBug;
+}
+
 int derive(const Question& q) {
+  if (const Force force = force_named(q.force); force.linear()) return derive_linear(q, force);
   const int degree = force_degree(q.force);
   const Derivation d =
       derivation(q.program(), degree, q.values(), q.substeps, degree <= kHighestWithDerivation);
@@ -41,7 +59,7 @@ void add_derive(CLI::App& app, int& code) {
       app, "Start here", "derive",
       "The exact motion after n steps, its shortfall, the corrections, with proofs.",
       {"derive symplectic-euler --force constant", "derive my-own.integrator --force poly:3 --latex",
-       "derive newmark --force poly:1 --param beta=1/6", "derive symplectic-euler --substeps 4 --json"});
+       "derive newmark --force poly:1 --param beta=1/6", "derive velocity-verlet --force spring", "derive symplectic-euler --substeps 4 --json"});
   auto q = std::make_shared<Question>();
   add_integrator(*command, *q);
   add_force(*command, *q);

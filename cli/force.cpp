@@ -2,22 +2,15 @@
 #include "cli/force.hpp"
 
 #include "analysis/algebra/error.hpp"
-#include "analysis/program/suggest.hpp"
-#include "cli/quantity.hpp"
+#include "analysis/motion/force.hpp"
 
 namespace shortfall::cli {
 
 int force_degree(const std::string& text) {
-  if (text == "constant") return 0;
-  if (text.starts_with("poly:")) {
-    std::int64_t degree = -1;
-    if (!quantity(text.substr(5), Unit::none, "--force poly:").fits_int64(degree) || degree < 0 ||
-        degree > 1000)
-      throw BadInput("--force '" + text.substr(0, 60) + "': the degree is a whole number from 0 to 1000");
-    return static_cast<int>(degree);
-  }
-  throw BadInput("unknown force '" + text.substr(0, 60) + "'" + did_you_mean(text, {"constant", "poly:1"}) +
-                 "; the forces are constant and poly:D");
+  const Force force = force_named(text);
+  if (force.linear())
+    throw Unable("this is answered for constant and poly:D; for '" + text.substr(0, 60) + "' ask derive or correct");
+  return force.degree;
 }
 
 }  // namespace shortfall::cli

@@ -11,7 +11,7 @@ namespace shortfall {
 
 namespace {
 
-/// The motion of an integrator and the closed form of what it falls short by.
+/// The motion of an integrator and the closed form of what it falls short by, oscillations apart.
 struct Shortfall {
   StepMap map;
   ClosedForm form;
@@ -23,6 +23,12 @@ struct Shortfall {
         form(closed_form(map)),
         position(exact_position(degree) - form.position),
         velocity(exact_velocity(degree) - form.velocity) {}
+
+  /// Whether the motion has a part on irrational eigenvalues in this column. No formula of a claim has one.
+  static bool oscillates(const Oscillation::Values& values, std::size_t column) {
+    return column < values.size() &&
+           !std::ranges::all_of(values[column], [](const Fraction& f) { return f.is_zero(); });
+  }
 
   /// Exact minus reported after so many steps, by stepping: for the first steps, which the closed form may
   /// not cover.
@@ -42,7 +48,12 @@ ClaimVerdict shortfall_verdict(const Program& program, const Claim& claim, const
   const Motion& exact = of_position ? exact_position(0) : exact_velocity(0);
   const Motion& found = of_position ? constant.position : constant.velocity;
   const Motion claimed = evaluated(claim.value, formula_scalars(program), 0);
-  bool holds = is_zero(claimed - found);
+  const auto& oscillation =
+      of_position ? constant.form.oscillation.position : constant.form.oscillation.velocity;
+  bool oscillates = false;
+  for (std::size_t column = 0; column < found.size(); ++column)
+    oscillates = oscillates || Shortfall::oscillates(oscillation, column);
+  bool holds = !oscillates && is_zero(claimed - found);
   for (int n = 1; n < constant.form.valid_from && holds; ++n) {
     const auto value =
         constant.stepped_at(n, of_position ? constant.map.position : constant.map.velocity, exact);
@@ -50,7 +61,8 @@ ClaimVerdict shortfall_verdict(const Program& program, const Claim& claim, const
       holds = holds && claimed[column].at(n) == value[column];
   }
   return {claim.word + " " + print(claim.value), holds,
-          claim.word + " " + print(formula(found, 0, {constant.map.letters, "n", true}))};
+          claim.word + " " + print(formula(found, 0, {constant.map.letters, "n", true})) +
+              (oscillates ? " and an oscillation" : "")};
 }
 
 /// The highest degree of a force polynomial up to which a motion is exact, at most the one it was computed
@@ -59,7 +71,9 @@ int exact_degree(const Shortfall& shortfall) {
   const int columns = shortfall.form.degree + 3;
   std::vector<bool> exact(columns);
   for (int c = 0; c < columns; ++c)
-    exact[c] = shortfall.position[c].is_zero() && shortfall.velocity[c].is_zero();
+    exact[c] = shortfall.position[c].is_zero() && shortfall.velocity[c].is_zero() &&
+               !Shortfall::oscillates(shortfall.form.oscillation.position, c) &&
+               !Shortfall::oscillates(shortfall.form.oscillation.velocity, c);
   for (int n = 1; n < shortfall.form.valid_from; ++n) {
     const auto x = shortfall.stepped_at(n, shortfall.map.position, exact_position(shortfall.form.degree));
     const auto v = shortfall.stepped_at(n, shortfall.map.velocity, exact_velocity(shortfall.form.degree));

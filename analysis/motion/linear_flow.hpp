@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/motion/force.hpp"
+#include "analysis/motion/formula_text.hpp"
+
+namespace shortfall {
+
+/// A name that a formula uses, and what it stands for.
+struct Definition {
+  std::string name;
+  Expr value;
+  std::string note;
+};
+
+/// The true motion under a linear force, in closed form.
+///
+/// source  any text on linear differential equations with constant coefficients
+struct LinearFlow {
+  std::vector<Definition> definitions;  ///< w = sqrt(k), or wd = sqrt(k - c^2/4)
+  Expr position;                        ///< x(t) in x0, v0, f0.., t, k, c, w
+  Expr velocity;
+  Expr cosine;  ///< C(t): the motion from x0 = 1, v0 = 0 without other forces
+  Expr sine;    ///< S(t): the motion from x0 = 0, v0 = 1
+  std::string condition;  ///< for which values the formula is real: "k > c^2/4 (underdamped)"
+};
+
+/// param   parameters  names of the integrator's letters, which must not be taken for w
+LinearFlow linear_flow(const Force& force, const std::vector<std::string>& letters);
+
+}  // namespace shortfall

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "analysis/correction/linear_kit.hpp"
+#include "analysis/program/print.hpp"
+
+namespace shortfall {
+
+/// A derivation under a linear force as a person reads it: answer, reasons, corrections, conserved energy, proofs.
+std::string as_text(const LinearDerivation& derivation, const LinearKit& kit, Style style);
+
+/// The kit alone.
+std::string as_text(const LinearKit& kit, Style style);
+
+/// amsmath.
+std::string as_latex(const LinearDerivation& derivation, const LinearKit& kit);
+
+/// Schema shortfall.derive/1.
+nlohmann::ordered_json as_json(const LinearDerivation& derivation, const LinearKit& kit);
+
+/// Schema shortfall.correct/1.
+nlohmann::ordered_json as_json(const LinearKit& kit, const LinearDerivation& derivation);
+
+}  // namespace shortfall
