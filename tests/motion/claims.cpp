@@ -98,6 +98,17 @@ TEST_CASE("a damped step's shortfall is claimed with powers of its factor") {
   CHECK_FALSE(verdict(damped, "shortfall-velocity v0 - r^(n + 1)*v0 + a*t").holds);
 }
 
+TEST_CASE("a step with irrational eigenvalues oscillates, which no claim says") {
+  // x_next = 3 x - x_prev grows like powers of the golden ratio; x0 alone excites it.
+  const std::string golden =
+      "state x_prev : L\nstart\n  x_prev = x\nstep\n  x_next = 3*x - x_prev\n  x_prev = x\n  x = x_next";
+  CHECK(verdict(golden, "shortfall v0*t + a*t^2/2 + x0").found ==
+        "shortfall x0 + v0*t + 1/2*a*t^2 and an oscillation");
+  CHECK_FALSE(verdict(golden, "shortfall v0*t + a*t^2/2 + x0").holds);
+  CHECK(verdict(golden, "shortfall-velocity a*t").holds);
+  CHECK_FALSE(verdict(golden, "exact 0").holds);
+}
+
 TEST_CASE("a claim that fails in the first step only is refuted") {
   // The carried y is x0 until the first step is done; from then on it is 0.
   const std::string settling =

@@ -76,6 +76,14 @@ inline std::string random_two_step(Chance& chance) {
          "a_prev)\n";
 }
 
+/// x from its last two values with weights p and q, whose characteristic roots are hardly ever rational.
+inline std::string random_oscillation(Chance& chance) {
+  const auto any = [&] { return "(" + chance.rational().str() + ")"; };
+  return "integrator random\n  state  x_prev : L\nstart\n  x_prev = x - h*v\nstep\n  x_next = " + any() +
+         "*x + " + any() + "*x_prev + " + any() + "*h*v + h^2*a(x, v, t)\n  v      = v + " + any() +
+         "*h*a(x, v, t)\n  x_prev = x\n  x      = x_next\n";
+}
+
 /// Of each kind so many: what it is, and its file.
 inline std::vector<std::pair<std::string, std::string>> random_integrators(Chance& chance, int each) {
   std::vector<std::pair<std::string, std::string>> result;
@@ -84,6 +92,7 @@ inline std::vector<std::pair<std::string, std::string>> random_integrators(Chanc
     result.emplace_back("implicit-tableau", random_tableau(chance, chance.number(1, 3), true));
     result.emplace_back("composition", random_composition(chance));
     result.emplace_back("two-step", random_two_step(chance));
+    result.emplace_back("oscillation", random_oscillation(chance));
   }
   return result;
 }

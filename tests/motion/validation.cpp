@@ -35,14 +35,19 @@ struct Trial {
   }
 };
 
-/// The motion's value at the numbers of a trial, by the closed form.
-Rational value(const Motion& motion, int n, const Trial& trial, std::map<Letter, Rational> letters) {
+/// The position's (or velocity's) value at the numbers of a trial, by the closed form.
+Rational value(const ClosedForm& form, bool position, int n, const Trial& trial,
+               std::map<Letter, Rational> letters) {
+  const Motion& motion = position ? form.position : form.velocity;
   letters[kCount] = n;
   Rational sum;
   for (std::size_t column = 0; column < motion.size(); ++column) {
     const Rational& amount = column == 0 ? trial.x0 : column == 1 ? trial.v0 : trial.force[column - 2];
     for (const Sequence::Term& term : motion[column].terms())
       sum += amount * term.coefficient.evaluate(letters) * term.base.evaluate(letters).pow(n);
+    if (form.oscillation.is_zero()) continue;
+    const auto& first = position ? form.oscillation.position : form.oscillation.velocity;
+    sum += amount * form.oscillation.at(first[column], n).evaluate(letters);
   }
   return sum;
 }
@@ -92,8 +97,8 @@ void validate(const Program& program, const ClosedForm& form, const Trial& trial
   const Real bound = real(largest * Rational(10).pow(10 - kDigits), kDigits);
   for (int n = form.valid_from; n <= kSteps; ++n) {
     CAPTURE(n);
-    const Rational x = value(form.position, n, trial, letters);
-    const Rational v = value(form.velocity, n, trial, letters);
+    const Rational x = value(form, true, n, trial, letters);
+    const Rational v = value(form, false, n, trial, letters);
     CHECK(x == exact[n].first);
     CHECK(v == exact[n].second);
     CHECK(abs(Real(rounded[n].first - real(x, kDigits))) <= bound);
