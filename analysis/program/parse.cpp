@@ -335,6 +335,7 @@ Program parse_file(const std::string& path) {
 
 Expr parse_formula(std::string_view text, const std::string& origin, const Names& names, const Type& wanted) {
   const Source source(origin, text);
+  if (source.line_count() > 1) throw source.error({2, 1}, "a formula stands on one line");
   int line = 1;
   TokenReader in(source, tokens(source, line, 0));
   Expr e = in.expression();

@@ -17,6 +17,27 @@ class RandomProgram {
  public:
   Program program();
 
+  /// The same with a tableau instead of the step; what it lowers to is left to the reader of its text.
+  Program tableau_program() {
+    Program p = program();
+    p.start.clear();
+    p.states.clear();
+    p.step.clear();
+    p.finish.clear();
+    scalars_ = {{"p", kPure}, {"q", kPure}};
+    Tableau t;
+    const int stages = pick(1, 5);
+    const bool implicit = pick(0, 2);
+    for (int i = 0; i < stages; ++i) {
+      t.c.push_back(entry());
+      t.a.push_back(entries(pick(0, implicit ? stages + 1 : i + 1)));
+    }
+    t.b = entries(stages);
+    if (pick(0, 2)) t.embedded = entries(stages);
+    p.tableau = std::move(t);
+    return p;
+  }
+
  private:
   using Names = std::vector<std::pair<std::string, Dimension>>;
   using Op = Expression::Op;
@@ -111,6 +132,28 @@ class RandomProgram {
           return force(vector(kLength, depth - 1), vector(kVelocity, depth - 1), scalar(kTime, depth - 1));
         return vector(d, depth - 1);
     }
+  }
+
+  /// Numbers and parameters without dimension.
+  Expr entry() {
+    switch (pick(0, 5)) {
+      case 0:
+        return number(0);
+      case 1:
+        return negate(binary(Op::divide, literal(), literal()));
+      case 2:
+        return binary(Op::divide, binary(Op::subtract, number(1), name("p")), number(2));
+      case 3:
+        return binary(Op::multiply, literal(), binary(Op::power, name("q"), number(2)));
+      default:
+        return binary(Op::divide, literal(), literal());
+    }
+  }
+
+  std::vector<Expr> entries(int count) {
+    std::vector<Expr> row;
+    for (int i = 0; i < count; ++i) row.push_back(entry());
+    return row;
   }
 
   Statement assignment(const std::string& to, Expr value) {

@@ -84,6 +84,19 @@ TEST_CASE("a random program is printed as a file that reads as the same program,
   }));
 }
 
+TEST_CASE("a random tableau is printed as a file that reads as the same tableau and the same step") {
+  CHECK(rc::check([] {
+    const Program program = RandomProgram().tableau_program();
+    const Program once = parse(print(program), "once.integrator");
+    const Program twice = parse(print(once), "twice.integrator");
+    RC_ASSERT(same(once, twice));
+    RC_ASSERT(bits(once) == bits(twice));
+    Program without_step = once;
+    without_step.step.clear();
+    RC_ASSERT(same(without_step, program));
+  }));
+}
+
 TEST_CASE("no pair of parentheses that is printed could be left out") {
   CHECK(rc::check([] {
     const Program program = RandomProgram().program();
