@@ -1,0 +1,8 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# replay FOLDER, the tool behind `./dev replay`: built only when it is asked for.
+add_executable(replay EXCLUDE_FROM_ALL
+  "${CMAKE_CURRENT_LIST_DIR}/recording.cpp"
+  "${CMAKE_CURRENT_LIST_DIR}/replay.cpp"
+  "${CMAKE_CURRENT_LIST_DIR}/table.cpp"
+  "${CMAKE_CURRENT_LIST_DIR}/tool/main.cpp")
+target_link_libraries(replay PRIVATE shortfall::export)
