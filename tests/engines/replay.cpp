@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/engines/replay.hpp"
 
+#include <cstdio>
 #include <map>
+#include <type_traits>
 #include <utility>
 
 #include "analysis/algebra/error.hpp"
@@ -72,10 +74,9 @@ Values values(const Recording& r, const Program& program) {
   return result;
 }
 
-template <class Parts>
-bool same(const Parts& computed, const Triple& recorded) {
-  return double(computed[0]) == recorded[0] && double(computed[1]) == recorded[1] &&
-         double(computed[2]) == recorded[2];
+template <class Vector>
+Triple doubles(const Vector& vector) {
+  return {double(vector.parts()[0]), double(vector.parts()[1]), double(vector.parts()[2])};
 }
 
 /// From this frame on the body stands still in mid-air, with velocity 0.
@@ -85,9 +86,19 @@ bool asleep(const Recording& r, std::size_t frame) {
   return true;
 }
 
-std::string why(const Recording& r, std::size_t frame) {
-  if (frame > 0 && asleep(r, frame)) return "the engine puts the body to sleep: it stands still from here on";
-  return "the numbers differ";
+/// The first component that differs, in as many digits as tell two numbers of the format apart.
+std::string difference(const Recording::Row& computed, const Recording::Row& recorded, bool single) {
+  const char* const names[] = {"x", "y", "z", "vx", "vy", "vz"};
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double ours = i < 3 ? computed.x[i] : computed.v[i - 3];
+    const double theirs = i < 3 ? recorded.x[i] : recorded.v[i - 3];
+    if (ours == theirs) continue;
+    char text[100];
+    const int digits = single ? 9 : 17;
+    std::snprintf(text, sizeof text, "%s is %.*g, computed %.*g", names[i], digits, theirs, digits, ours);
+    return text;
+  }
+  return {};
 }
 
 template <class S, class C>
@@ -103,9 +114,12 @@ void run(const Recording& r, const Engine& engine, Outcome& outcome) {
       body.step();
     }
     const auto [x, v] = body.read_out();
-    if (same(x.parts(), r.rows[frame].x) && same(v.parts(), r.rows[frame].v)) continue;
+    const std::string found = difference({doubles(x), doubles(v)}, r.rows[frame], std::is_same_v<C, float>);
+    if (found.empty()) continue;
     outcome.first_difference = frame;
-    outcome.reason = why(r, frame);
+    outcome.reason = frame > 0 && asleep(r, frame)
+                         ? "the engine has put the body to sleep: it stands still from here on"
+                         : found;
     return;
   }
   outcome.exact = true;
