@@ -62,6 +62,7 @@ void add_derive(CLI::App& app, int& code);
 void add_verify(CLI::App& app, int& code);
 void add_correct(CLI::App& app, int& code);
 void add_jump(CLI::App& app, int& code);
+void add_stability(CLI::App& app, int& code);
 void add_export(CLI::App& app, int& code);
 
 /// A new command: its group in the help, examples first.

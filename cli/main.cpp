@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   add_correct(app, code);
   add_export(app, code);
   add_verify(app, code);
+  add_stability(app, code);
   add_list(app, code);
   add_show(app, code);
   add_new(app, code);

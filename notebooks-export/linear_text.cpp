@@ -48,7 +48,8 @@ void append_recurrence(std::string& text, const LinearDerivation& d, Style style
 }  // namespace
 
 std::string as_text(const LinearKit& kit, Style style) {
-  if (!kit.exists) return "  none that is exact on every frame: " + kit.obstruction + "\n";
+  if (!kit.exists)
+    return std::string(kit.impossible ? "  none can be exact on every frame: " : "  none found that is exact on every frame: ") + kit.obstruction + "\n";
   std::string text = "  exact on every frame; give or report instead:\n";
   for (const LinearCorrection& c : kit.corrections)
     text += "    " + kind(c.kind) + ": " + c.target + " := " + print(c.value, style) + "\n        " + c.reason + "\n";

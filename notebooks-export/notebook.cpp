@@ -253,8 +253,9 @@ void tell_proof(Lecture& l) {
   for (const std::string& a : l.d.assumptions) text += "- " + sentence(markdown_escaped(a)) + "\n";
   text += "\nThis notebook was written by `" + command(l) + "`.";
   l.document.text("proof", text);
-  l.document.code("proof-check", "assert LAST - " + std::to_string(std::max(l.first, l.settled)) +
-                                     " >= " + std::to_string(l.points()) +
+  const int from = std::max(l.first, l.settled);
+  l.document.code("proof-check", "assert LAST " + (from ? "- " + std::to_string(from) + " " : std::string()) +
+                                     ">= " + std::to_string(l.points()) +
                                      "  # enough for each line\nprint(\"Every claim above holds.\")\n");
 }
 

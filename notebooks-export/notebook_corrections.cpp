@@ -40,13 +40,17 @@ std::string when(const Correction& c) {
   return "";
 }
 
+/// What to add, a short formula within its line, a long one below it.
 std::string listed(const CorrectionOption& option, const Derivation& d) {
   std::string text;
   for (const Correction& c : option.corrections) {
-    text += "- Add " + inlined(c.add) + " " + what_it_is_added_to(c, d) + when(c) + ".";
+    const std::string where = what_it_is_added_to(c, d) + when(c);
+    if (is_long(c.add))
+      text += "**Add " + where + "**\n\n" + displayed(c.add) + "\n\n";
+    else
+      text += "**Add** " + inlined(c.add) + " " + where + ".\n\n";
     if (d.degree > 0 && c.series != print(c.add))
-      text += " In terms of the force and its derivatives: `" + c.series + "`.";
-    text += "\n";
+      text += "In terms of the force and its derivatives by time this is `" + c.series + "`.\n\n";
   }
   return text;
 }

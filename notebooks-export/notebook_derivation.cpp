@@ -57,9 +57,17 @@ class Lines {
   PythonWording wording_;
 };
 
+/// A reason with its powers raised.
+std::string raised(std::string text) {
+  for (const auto& [from, to] : {std::pair<std::string, std::string>{"^2", "²"}, {"^3", "³"}, {"^m", "ᵐ"}})
+    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from))
+      text.replace(at, 2, to);
+  return text;
+}
+
 /// A line as a paragraph: the reason, then the formula.
 std::string paragraph(const DerivationStep& s) {
-  return "**" + sentence(markdown_escaped(s.why)) + "**\n\n" + displayed(s.left, s.right) + "\n\n";
+  return "**" + sentence(markdown_escaped(raised(s.why))) + "**\n\n" + displayed(s.left, s.right) + "\n\n";
 }
 
 }  // namespace

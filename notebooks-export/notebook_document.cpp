@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/notebook_document.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <nlohmann/json.hpp>
-#include <utility>
 
 #include "analysis/program/print.hpp"
 #include "notebooks-export/python_expression.hpp"
@@ -43,9 +43,37 @@ std::string latex(const Expr& e) {
 
 /// How wide an expression is in print, in characters.
 int width(const Expr& e) {
+  if (e->op == Op::divide) return std::max(width(e->operands[0]), width(e->operands[1])) + 1;
+  if (e->op == Op::multiply) return width(e->operands[0]) + width(e->operands[1]);
   int characters = 0;
   for (const char c : print(e, Style::unicode)) characters += (c & 0xC0) != 0x80;
   return characters;
+}
+
+void collect_factors(const Expr& e, std::vector<Expr>& factors) {
+  if (e->op != Op::multiply) {
+    factors.push_back(e);
+    return;
+  }
+  collect_factors(e->operands[0], factors);
+  collect_factors(e->operands[1], factors);
+}
+
+/// a h^2 n (n - 1) / 2 as it is spoken: a h^2 times the fraction n (n - 1) / 2.
+Expr spoken(const Expr& e) {
+  if (e->op == Op::add || e->op == Op::subtract)
+    return binary(e->op, spoken(e->operands[0]), spoken(e->operands[1]));
+  if (e->op != Op::divide || e->operands[1]->op != Op::number) return e;
+  std::vector<Expr> factors;
+  collect_factors(e->operands[0], factors);
+  Expr constant;
+  Expr counted;
+  for (const Expr& f : factors) {
+    Expr& product = mentions(f, "n") ? counted : constant;
+    product = product ? binary(Op::multiply, product, f) : f;
+  }
+  if (!constant || !counted) return e;
+  return binary(Op::multiply, constant, binary(Op::divide, counted, e->operands[1]));
 }
 
 /// A sum's term as it is written behind its sign.
@@ -57,7 +85,8 @@ std::string term_latex(const Expr& term) {
 /// Lays terms out on lines of an aligned environment.
 class Lines {
  public:
-  explicit Lines(const Expr& left) : text_(latex(left) + " ={}& "), column_(width(left) + 3) {}
+  /// param   left  what stands before the first term, with its width in characters
+  Lines(const std::string& left, int width) : text_(left + "{}& "), column_(width) {}
 
   void add(const Expr& e) {
     if (e->op == Op::add || e->op == Op::subtract) {
@@ -68,16 +97,15 @@ class Lines {
     }
   }
 
-  std::string str() const {
-    return broken_ ? "$$\n\\begin{aligned}\n" + text_ + "\n\\end{aligned}\n$$" : "$$ " + text_ + " $$";
-  }
+  std::string str() const { return "$$\n\\begin{aligned}\n" + text_ + "\n\\end{aligned}\n$$"; }
 
   bool broken() const { return broken_; }
 
  private:
   void add_term(const std::string& sign, const Expr& term) {
     const int size = width(term) + (sign.empty() ? 0 : 3);
-    if (column_ + size > kLineWidth && !sign.empty() && column_ > kIndent) feed();
+    const bool breaks = term->op == Op::sum && size + kIndent > kLineWidth && column_ < kLineWidth / 2;
+    if (column_ + size > kLineWidth && !breaks && !sign.empty() && column_ > kIndent) feed();
     if (!sign.empty()) text_ += (fresh_ ? "{}" + sign : " " + sign) + " ";
     fresh_ = false;
     if (column_ + size > kLineWidth && term->op == Op::sum) {
@@ -146,11 +174,20 @@ std::string markdown_escaped(const std::string& text) {
 }
 
 std::string displayed(const Expr& left, const Expr& right) {
-  Lines lines(left);
-  lines.add(flattened(right));
-  if (lines.broken()) return lines.str();
-  return "$$ " + latex(left) + " = " + latex(flattened(right)) + " $$";
+  const Expr terms = spoken(flattened(right));
+  Lines lines(latex(left) + " =", width(left) + 3);
+  lines.add(terms);
+  return lines.broken() ? lines.str() : "$$ " + latex(left) + " = " + latex(terms) + " $$";
 }
+
+std::string displayed(const Expr& e) {
+  const Expr terms = flattened(e);
+  Lines lines("", 0);
+  lines.add(terms);
+  return lines.broken() ? lines.str() : "$$ " + latex(terms) + " $$";
+}
+
+bool is_long(const Expr& e) { return width(e) > kLineWidth / 2; }
 
 std::string inlined(const Expr& e) { return "$" + latex(flattened(e)) + "$"; }
 

@@ -37,6 +37,11 @@ std::string markdown_escaped(const std::string& text);
 /// left = right as a displayed equation; one that is too long for a page is broken at its terms.
 std::string displayed(const Expr& left, const Expr& right);
 
+/// An expression as a displayed formula, broken in the same way.
+std::string displayed(const Expr& e);
+/// Whether it is too long to stand within a line.
+bool is_long(const Expr& e);
+
 /// An expression within a line: $...$.
 std::string inlined(const Expr& e);
 

@@ -46,12 +46,11 @@ class Writer {
         return {"a(" + of(e->operands[0]).text + ", " + of(e->operands[1]).text + ", " +
                     of(e->operands[2]).text + ")",
                 kAtom};
-      case Op::call:
-        return of_call(e);
       case Op::sum:
         return of_sum(e);
+      default:  // a function of scalars
+        return of_call(e);
     }
-    return {"", kAtom};
   }
 
  private:
@@ -123,6 +122,26 @@ void collect(const Expr& e, bool minus, std::vector<std::pair<bool, Expr>>& term
   }
 }
 
+/// Where a text may be broken: before the signs of sums, but not within short parentheses.
+std::vector<std::size_t> signs(const std::string& text) {
+  constexpr std::size_t kShort = 40;
+  std::vector<std::size_t> open;
+  std::vector<std::size_t> closing(text.size(), 0);
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '(') open.push_back(i);
+    if (text[i] != ')' || open.empty()) continue;
+    closing[open.back()] = i;
+    open.pop_back();
+  }
+  std::vector<std::size_t> found;
+  for (std::size_t i = 1; i + 2 < text.size(); ++i) {
+    if (text[i] == '(' && closing[i] - i < kShort) i = closing[i];
+    if (text[i] == ' ' && (text[i + 1] == '+' || text[i + 1] == '-') && text[i + 2] == ' ')
+      found.push_back(i);
+  }
+  return found;
+}
+
 }  // namespace
 
 std::string python(const Expr& e, const PythonWording& wording) { return Writer(wording).of(e).text; }
@@ -145,33 +164,27 @@ bool is_whole(const Expr& e, const PythonWording& wording) {
     case Op::power:
       return is_whole(e->operands[0], wording) && e->operands[1]->op == Op::number &&
              e->operands[1]->value.sign() >= 0;
-    case Op::divide:
-    case Op::force:
-    case Op::call:
-      return false;
     case Op::sum: {
       PythonWording inside = wording;
       inside.whole.insert(e->name);
       return is_whole(e->operands[2], inside);
     }
+    default:
+      return false;
   }
-  return false;
 }
 
 std::string wrapped(int indent, const std::string& head, const std::string& text) {
   const std::string blanks(static_cast<std::size_t>(indent), ' ');
-  if (blanks.size() + head.size() + text.size() <= kWidth || text.find(' ') == std::string::npos)
-    return blanks + head + text;
+  const std::vector<std::size_t> breaks = signs(text);
+  if (blanks.size() + head.size() + text.size() <= kWidth || breaks.empty()) return blanks + head + text;
   std::string result = blanks + head + "(";
   const std::string next(static_cast<std::size_t>(indent) + 4, ' ');
   std::size_t column = result.size();
-  for (std::size_t begin = 0; begin < text.size();) {
-    // A piece goes up to the next sign of a sum.
-    std::size_t end = begin + 1;
-    while (end < text.size() && !(text[end] == ' ' && end + 2 < text.size() && text[end + 2] == ' ' &&
-                                  (text[end + 1] == '+' || text[end + 1] == '-')))
-      ++end;
-    std::string piece = text.substr(begin, end - begin);
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i <= breaks.size(); ++i) {
+    const std::size_t end = i < breaks.size() ? breaks[i] : text.size();
+    const std::string piece = text.substr(begin, end - begin);
     if (begin > 0 && column + piece.size() + 1 > kWidth) {
       result += "\n" + next + piece.substr(1);
       column = next.size() + piece.size() - 1;
@@ -182,6 +195,17 @@ std::string wrapped(int indent, const std::string& head, const std::string& text
     begin = end;
   }
   return result + ")";
+}
+
+std::string wrapped_call(int indent, const std::string& head, const Expr& e, const PythonWording& wording) {
+  const std::string text = python(e, wording);
+  const std::string blanks(static_cast<std::size_t>(indent), ' ');
+  if (e->op != Op::force || blanks.size() + head.size() + text.size() <= kWidth)
+    return wrapped(indent, head, text);
+  std::string result = blanks + head + "a(\n";
+  for (const Expr& argument : e->operands)
+    result += wrapped(indent + 4, "", python(argument, wording)) + ",\n";
+  return result + blanks + ")";
 }
 
 Expr flattened(const Expr& e) {

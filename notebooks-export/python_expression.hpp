@@ -29,6 +29,9 @@ bool is_whole(const Expr& e, const PythonWording& wording);
 /// param   indent  of the first line, in blanks
 std::string wrapped(int indent, const std::string& head, const std::string& text);
 
+/// head and a statement's value; the arguments of a long call of the force get lines of their own.
+std::string wrapped_call(int indent, const std::string& head, const Expr& e, const PythonWording& wording);
+
 /// A formula with the parentheses of added sums dissolved: a + (b - c) becomes a + b - c.
 Expr flattened(const Expr& e);
 

@@ -188,9 +188,10 @@ std::string PythonStep::more() const {
 }
 
 std::string PythonStep::assignment(int indent, const std::string& target, const Expr& value) const {
-  std::string text = python(value, wording_);
-  if (is_whole(value, wording_)) text = "Fraction(" + text + ")";
-  return wrapped(indent, name(target) + " = ", text) + "\n";
+  const std::string head = name(target) + " = ";
+  if (is_whole(value, wording_))
+    return wrapped(indent, head, "Fraction(" + python(value, wording_) + ")") + "\n";
+  return wrapped_call(indent, head, value, wording_) + "\n";
 }
 
 void PythonStep::write_solve(const Statement& solve, int indent, std::string& text) const {
@@ -198,7 +199,7 @@ void PythonStep::write_solve(const Statement& solve, int indent, std::string& te
   std::vector<std::string> unknowns;
   for (const Unknown& u : solve.unknowns) unknowns.push_back(name(u.name));
   text += "\n" + blanks + "def stage(" + joined(unknowns) + "):\n" + blanks + "    return [\n";
-  for (const Unknown& u : solve.unknowns) text += wrapped(indent + 8, "", python(u.value, wording_)) + ",\n";
+  for (const Unknown& u : solve.unknowns) text += wrapped_call(indent + 8, "", u.value, wording_) + ",\n";
   text += blanks + "    ]\n\n" + blanks + "[" + joined(unknowns) + "] = solved(stage, " +
           std::to_string(unknowns.size()) + ")\n";
 }

@@ -9,7 +9,8 @@
 
 namespace shortfall {
 
-/// A derivation as a person reads it: the answer first, then the steps with reasons, the corrections, the proofs.
+/// A derivation as a person reads it: the answer first, then the steps with reasons, the corrections, the
+/// proofs.
 std::string as_text(const Derivation& derivation, const CorrectionKit* kit, Style style);
 
 /// The correction kit alone.

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/stability/stability.hpp"
+
+#include <functional>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/problems/letters.hpp"
+
+namespace shortfall {
+
+namespace {
+
+/// The same windows in another unit: every edge is mapped.
+void map_edges(Windows& windows, const std::function<RealRoot(const RealRoot&)>& map) {
+  for (Window& w : windows.windows) {
+    const bool point = w.is_point();
+    if (w.from) w.from->at = map(w.from->at);
+    if (w.to) w.to->at = point ? w.from->at : map(w.to->at);
+  }
+}
+
+void check_dimensions(const Program& program, const Values& parameters) {
+  for (const Parameter& p : program.parameters)
+    if (!(p.dimension == kPure) && !parameters.at(p.name).is_zero())
+      throw Unable("the step of " + program.name + " depends on h not only through h w and c h, because " + p.name + " " + p.dimension.bracketed() +
+                   " is not 0: give --param " + p.name + "=0");
+}
+
+Windows windows_of(const Amplification& a, int substeps) {
+  Windows windows = bounded_windows(a.matrix, kStiffness);
+  map_edges(windows, [&](const RealRoot& y) { return scaled(square_root(y), substeps); });
+  return windows;
+}
+
+}  // namespace
+
+const RealRoot* Stability::limit() const {
+  const WindowEdge* edge = windows.limit();
+  return edge ? &edge->at : nullptr;
+}
+
+Windows oscillator_windows(const Program& program, const Values& given) {
+  const Values parameters = parameter_values(program, given);
+  check_dimensions(program, parameters);
+  return windows_of(amplification(program, parameters), 1);
+}
+
+std::optional<RealRoot> stability_limit(const Program& program, const Values& given) {
+  const Windows windows = oscillator_windows(program, given);
+  if (!windows.from_zero()) return RealRoot(0);
+  if (const WindowEdge* edge = windows.limit()) return edge->at;
+  return std::nullopt;
+}
+
+Stability stability(const Program& program, const Values& given, int substeps) {
+  Stability s;
+  s.integrator = program.name;
+  s.substeps = substeps;
+  s.parameters = parameter_values(program, given);
+  check_dimensions(program, s.parameters);
+  for (const Parameter& p : program.parameters)
+    if (!given.contains(p.name)) s.assumed.push_back(p.name);
+  s.of_substep = substeps > kSubstepsInFormulas;
+  const int written = s.of_substep ? 1 : substeps;
+  s.undamped = repeated(amplification(program, given), written);
+
+  // Powers of a frame's matrix are powers of a substep's: they are bounded together.
+  s.numbers = amplification(program, s.parameters);
+  s.windows = windows_of(s.numbers, substeps);
+  if (const WindowEdge* edge = s.windows.limit(); edge && !edge->pole) {
+    s.at_limit = edge->growth;
+    if (const auto square = edge->at.rational_square(); square && !s.of_substep) s.limit_motion = limit_motion(program, s.parameters, substeps, *square);
+  }
+  try {
+    const Amplification damped = amplification(program, s.parameters, Damping::viscous);
+    s.drag = drag(damped);
+    map_edges(s.drag->windows, [&](const RealRoot& d) { return scaled(d, substeps); });
+    if (s.drag->overshoots) s.drag->overshoots = scaled(*s.drag->overshoots, substeps);
+    s.damped = repeated(damped, written);
+  } catch (const Undefined&) {
+    // A stage that drag alone makes singular: there is nothing to report about it.
+  }
+  s.function = stability_function(program, s.parameters);
+  if (s.function) s.properties = stability_properties(*s.function);
+  return s;
+}
+
+}  // namespace shortfall

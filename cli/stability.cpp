@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <memory>
+
+#include "analysis/stability/stability.hpp"
+#include "cli/command.hpp"
+#include "cli/output.hpp"
+#include "notebooks-export/figure_gnuplot.hpp"
+#include "notebooks-export/figure_stability.hpp"
+#include "notebooks-export/stability_json.hpp"
+#include "notebooks-export/stability_text.hpp"
+
+namespace shortfall::cli {
+
+namespace {
+
+struct StabilityOptions : Question {
+  std::string plot;
+};
+
+void draw(const Stability& s, const std::string& path) {
+  try {
+    write_output(image(stability_figure(s), image_format(path)), path);
+  } catch (const ProgramError& e) {
+    throw OutputError(e.what());
+  }
+}
+
+void stability(const StabilityOptions& o) {
+  if (!o.plot.empty()) image_format(o.plot);  // a wrong ending is seen before any work
+  const Stability s = shortfall::stability(o.program(), o.values(), o.substeps);
+  if (!o.plot.empty()) {
+    draw(s, o.plot);
+    say("wrote " + o.plot);
+  }
+  if (o.json)
+    write_output(as_json(s).dump(2) + "\n", o.output);
+  else
+    write_output(as_text(s, o.ascii ? Style::language : Style::unicode), o.output);
+}
+
+}  // namespace
+
+void add_stability(CLI::App& app, int&) {
+  CLI::App* command = new_command(app, "Prove", "stability", "For which steps an oscillation stays bounded, exactly; what happens at the limit; A- and L-stability.",
+                                  {"stability symplectic-euler", "stability newmark --param beta=0 --param gamma=1/2", "stability rk4 --plot rk4.svg",
+                                   "stability velocity-verlet --substeps 4 --json"});
+  auto o = std::make_shared<StabilityOptions>();
+  add_integrator(*command, *o);
+  add_parameters(*command, *o);
+  add_json(*command, *o);
+  add_ascii(*command, *o);
+  command->add_option("--plot", o->plot, "draw the eigenvalues and the stable region (needs gnuplot): a file that ends in .svg, .png or .pdf")->type_name("FILE");
+  add_output(*command, *o);
+  command->callback([o] { stability(*o); });
+}
+
+}  // namespace shortfall::cli

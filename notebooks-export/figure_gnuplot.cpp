@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "notebooks-export/figure_gnuplot.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "analysis/algebra/error.hpp"
+
+namespace shortfall {
+
+namespace {
+
+using Ink = Figure::Ink;
+
+constexpr int kPanelWidth = 600;
+constexpr int kHeight = 520;
+
+struct Colour {
+  int red, green, blue;
+};
+
+Colour colour(Ink ink) {
+  switch (ink) {
+    case Ink::black: return {0x22, 0x22, 0x22};
+    case Ink::grey: return {0x8a, 0x8a, 0x8a};
+    case Ink::blue: return {0x00, 0x72, 0xb2};
+    case Ink::sky: return {0x56, 0xb4, 0xe9};
+    case Ink::green: return {0x00, 0x9e, 0x73};
+    case Ink::orange: return {0xe6, 0x9f, 0x00};
+    case Ink::vermillion: return {0xd5, 0x5e, 0x00};
+    case Ink::purple: return {0xcc, 0x79, 0xa7};
+  }
+  return {0, 0, 0};
+}
+
+/// The colour mixed with white, as gnuplot reads it.
+std::string rgb(Ink ink, double strength = 1) {
+  const Colour c = colour(ink);
+  const auto mixed = [&](int part) { return static_cast<unsigned>(std::lround(255 - strength * (255 - part))); };
+  std::array<char, 16> text{};
+  std::snprintf(text.data(), text.size(), "'#%02x%02x%02x'", mixed(c.red), mixed(c.green), mixed(c.blue));
+  return text.data();
+}
+
+std::string number_text(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.7g", value);
+  return text.data();
+}
+
+std::string quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'') result += '\'';
+    result += static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  }
+  return result + "'";
+}
+
+std::string axis_label(const Figure::Axis& axis) { return axis.label + (axis.unit.empty() ? "" : " (" + axis.unit + ")"); }
+
+/// Names and writes the blocks of data, and the commands that draw them.
+class PanelWriter {
+ public:
+  PanelWriter(const Figure::Panel& panel, int index) : panel_(panel), prefix_("$p" + std::to_string(index) + "_") {
+    for (const Figure::Region& r : panel.regions) add_region(r);
+    for (const Figure::Curve& c : panel.curves) add_curve(c);
+    for (const Figure::Mark& m : panel.marks)
+      plots_.push_back(block({{m.at}}) + " using 1:2 with points pt 7 ps 1.1 lc rgb " + rgb(m.ink) + " notitle");
+  }
+
+  const std::string& data() const { return data_; }
+
+  std::string commands() const {
+    std::string text = "unset label\nset title " + quoted(panel_.title) + " left offset 0,0.2 textcolor rgb " + rgb(Ink::black) + "\n";
+    text += axis("x", panel_.x) + axis("y", panel_.y);
+    text += panel_.equal_scales ? "set size ratio -1\n" : "set size noratio\n";
+    for (const Figure::Label& l : panel_.labels) text += label(l);
+    text += "plot ";
+    for (std::size_t i = 0; i < plots_.size(); ++i) text += (i ? ", \\\n     " : "") + plots_[i];
+    return text + (plots_.empty() ? "NaN notitle\n" : "\n");
+  }
+
+ private:
+  std::string block(const std::vector<Figure::Path>& paths) {
+    const std::string name = prefix_ + std::to_string(count_++);
+    data_ += name + " << END_OF_DATA\n";
+    for (std::size_t i = 0; i < paths.size(); ++i) {
+      if (i > 0) data_ += "\n";
+      for (const Figure::Point& p : paths[i]) data_ += number_text(p.x) + " " + number_text(p.y) + "\n";
+    }
+    data_ += "END_OF_DATA\n";
+    return name;
+  }
+
+  void add_region(const Figure::Region& r) {
+    for (const Figure::Path& path : r.outlines)
+      plots_.push_back(block({path}) + " using 1:2 with filledcurves closed fillstyle solid noborder fillcolor rgb " + rgb(r.ink, r.strength) + " notitle");
+  }
+
+  void add_curve(const Figure::Curve& c) {
+    if (c.paths.empty()) return;
+    plots_.push_back(block(c.paths) + " using 1:2 with lines lw " + number_text(c.width) + (c.dashed ? " dt (6,5)" : " dt solid") + " lc rgb " + rgb(c.ink) + " notitle");
+  }
+
+  static std::string axis(const std::string& which, const Figure::Axis& a) {
+    return "set " + which + "label " + quoted(axis_label(a)) + " textcolor rgb " + rgb(Ink::black) + "\n" + (a.logarithmic ? "set" : "unset") + " logscale " + which + "\n" +
+           "set " + which + "range [" + number_text(a.low) + ":" + number_text(a.high) + "]\n";
+  }
+
+  static std::string label(const Figure::Label& l) {
+    const char* align = l.align == Figure::Align::left ? "left" : l.align == Figure::Align::right ? "right" : "center";
+    return "set label " + quoted(l.text) + " at " + number_text(l.at.x) + "," + number_text(l.at.y) + " " + align + " offset 0," + number_text(l.up) + " textcolor rgb " +
+           rgb(l.ink) + " front\n";
+  }
+
+  const Figure::Panel& panel_;
+  std::string prefix_;
+  int count_ = 0;
+  std::string data_;
+  std::vector<std::string> plots_;
+};
+
+std::string terminal(ImageFormat format, int width) {
+  const std::string pixels = std::to_string(width) + "," + std::to_string(kHeight);
+  switch (format) {
+    case ImageFormat::svg: return "set terminal svg size " + pixels + " dynamic noenhanced font 'Helvetica,13' background rgb 'white'\n";
+    case ImageFormat::png:  // twice the pixels, for sharp screens
+      return "set terminal pngcairo size " + std::to_string(2 * width) + "," + std::to_string(2 * kHeight) + " noenhanced font 'DejaVu Sans,11' fontscale 2 linewidth 2 pointscale 2\n";
+    case ImageFormat::pdf: return "set terminal pdfcairo size " + number_text(width / 100.0) + "in," + number_text(kHeight / 100.0) + "in noenhanced font 'DejaVu Sans,11' linewidth 1.4\n";
+  }
+  return "";
+}
+
+}  // namespace
+
+ImageFormat image_format(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
+  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  if (ending == "svg") return ImageFormat::svg;
+  if (ending == "png") return ImageFormat::png;
+  if (ending == "pdf") return ImageFormat::pdf;
+  throw BadInput("'" + path.substr(0, 200) + "': a figure is written to a file that ends in .svg, .png or .pdf");
+}
+
+std::string gnuplot_script(const Figure& figure, ImageFormat format) {
+  const int panels = std::max<int>(1, static_cast<int>(figure.panels.size()));
+  std::string script = "set encoding utf8\n" + terminal(format, kPanelWidth * panels);
+  std::string drawing;
+  for (std::size_t i = 0; i < figure.panels.size(); ++i) {
+    const PanelWriter writer(figure.panels[i], static_cast<int>(i));
+    script += writer.data();
+    drawing += writer.commands();
+  }
+  script += "set border 3 lw 1 lc rgb " + rgb(Ink::grey) + "\nset tics nomirror out scale 0.6 textcolor rgb " + rgb(Ink::black) + "\nset key off\nset clip one\nset clip two\n";
+  script += "set multiplot layout 1," + std::to_string(panels) + " margins screen " + number_text(panels > 1 ? 0.06 : 0.11) + "," + number_text(panels > 1 ? 0.98 : 0.96) +
+            ",0.13,0.80 spacing screen 0.09\n";
+  script += "set label 1 " + quoted(figure.title) + " at screen " + number_text(panels > 1 ? 0.02 : 0.03) + ",0.94 left font ',16' textcolor rgb " + rgb(Ink::black) + "\n";
+  // The title belongs to the first panel only: later ones begin with `unset label`.
+  const std::size_t first = drawing.find('\n');
+  script += drawing.substr(first == std::string::npos ? 0 : first + 1);
+  return script + "unset multiplot\n";
+}
+
+}  // namespace shortfall

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "notebooks-export/figure_stability.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "analysis/program/print.hpp"
+#include "analysis/stability/radicals.hpp"
+#include "analysis/stability/sampled.hpp"
+#include "notebooks-export/figure_contour.hpp"
+
+namespace shortfall {
+
+namespace {
+
+using Ink = Figure::Ink;
+using Align = Figure::Align;
+
+std::string short_number(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.4g", value);
+  return text.data();
+}
+
+/// "2 √2 = 2.828", "2.507", "2".
+std::string value_text(const RealRoot& r) {
+  const std::string decimal = short_number(r.to_double());
+  const auto formula = radical_formula(r);
+  if (!formula) return decimal;
+  const std::string exact = print(*formula, Style::unicode);
+  return exact == decimal ? exact : exact.size() > 24 ? decimal : exact + " ≈ " + decimal;
+}
+
+/// How far the picture reaches: past the last edge, but not for ever.
+double reach(const Windows& windows) {
+  double last = 0;
+  for (const Window& w : windows.windows)
+    for (const auto* edge : {&w.from, &w.to})
+      if (*edge) last = std::max(last, (*edge)->at.to_double());
+  if (last == 0) return windows.always() ? 10 : 3;
+  return std::min(1.35 * last, 40 + last);
+}
+
+constexpr double kTop = 1.6;
+
+Figure::Panel sizes_panel(const Stability& s) {
+  Figure::Panel panel;
+  panel.title = "what a step multiplies an oscillation by";
+  const double end = reach(s.windows);
+  panel.x = {"h ω", "", 0, end, false};
+  panel.y = {"|λ|", "", 0, kTop, false};
+  for (const Window& w : s.windows.windows) {
+    const double from = w.from ? w.from->at.to_double() : 0, to = w.to ? w.to->at.to_double() : end;
+    panel.regions.push_back({{{{from, 0}, {to, 0}, {to, 1}, {from, 1}}}, Ink::sky, 0.16});
+    panel.labels.push_back({{(from + std::min(to, end)) / 2, 0.06}, to - from > end / 6 ? "stable" : "", Ink::blue, Align::centre, 0});
+  }
+  panel.curves.push_back({{{{0, 1}, {end, 1}}}, Ink::grey, 1, true});
+  const SampledEigenvalues eigenvalues(s.numbers);
+  constexpr int kPoints = 900;
+  const std::size_t count = s.numbers.nonzero.size() - 1;
+  std::vector<Figure::Path> paths(count);
+  for (int i = 0; i <= kPoints; ++i) {
+    const double z = end * std::max(i, 1) / kPoints * (i == 0 ? 1e-3 : 1);
+    const std::vector<double> sizes = eigenvalues.sizes(z / s.substeps);
+    for (std::size_t k = 0; k < count; ++k) paths[k].push_back({z, std::pow(sizes[k], s.substeps)});
+  }
+  if (count > 1) panel.curves.push_back({{paths.begin() + 1, paths.end()}, Ink::sky, 2, false});
+  panel.curves.push_back({{paths.front()}, Ink::blue, 3, false});
+  if (const RealRoot* limit = s.limit()) {
+    const double at = limit->to_double();
+    panel.curves.push_back({{{{at, 0}, {at, kTop}}}, Ink::vermillion, 1.6, true});
+    panel.marks.push_back({{at, 1}, Ink::vermillion});
+    panel.labels.push_back({{at, kTop * 0.96}, "limit " + value_text(*limit) + " ", Ink::vermillion, Align::right, 0});
+  } else {
+    panel.labels.push_back({{end / 2, kTop * 0.96}, s.windows.always() ? "stable for every h ω" : s.windows.windows.empty() ? "stable for no h ω" : "stable for no small h ω", Ink::vermillion,
+                            Align::centre, 0});
+  }
+  return panel;
+}
+
+struct Box {
+  double left, right, top;
+};
+
+/// A box that shows what there is to see: the bounded stable region, or the bounded unstable one.
+Box box_of(const StabilityFunction& r) {
+  const bool bounded = !r.size_at_infinity() || *r.size_at_infinity() > 1;
+  double scale = 2.0 * (r.numerator.degree() + r.denominator.degree()) + 4;
+  Box seen{0, 0, 0};
+  constexpr int kLook = 120;
+  for (int i = -kLook; i <= kLook; ++i)
+    for (int j = 0; j <= kLook; ++j) {
+      const std::complex<double> z(scale * i / kLook, scale * j / kLook);
+      if ((sampled_size(r, z) <= 1) != bounded) continue;
+      seen.left = std::min(seen.left, z.real());
+      seen.right = std::max(seen.right, z.real());
+      seen.top = std::max(seen.top, z.imag());
+    }
+  if (!bounded && (seen.right > 0.95 * scale || seen.top > 0.95 * scale)) seen = {-4, 4, 4};  // half a plane
+  const double width = seen.right - seen.left, margin = 0.16 * std::max(width, 2 * seen.top);
+  Box box{seen.left - margin, seen.right + margin, seen.top + margin};
+  if (!bounded) box.left = std::min(box.left, -0.45 * (box.right - box.left));
+  box.right = std::max(box.right, 0.25 * (box.right - box.left));
+  return box;
+}
+
+Figure::Panel region_panel(const Stability& s) {
+  const StabilityFunction& r = *s.function;
+  Figure::Panel panel;
+  panel.title = s.properties->l_stable   ? "where |R(z)| ≤ 1: A-stable and L-stable"
+                : s.properties->a_stable ? "where |R(z)| ≤ 1: A-stable"
+                                         : "where |R(z)| ≤ 1";
+  const Box box = box_of(r);
+  panel.x = {"Re z", "", box.left, box.right, false};
+  panel.y = {"Im z", "", -box.top, box.top, false};
+  panel.equal_scales = true;
+  constexpr int kFine = 361;
+  Grid grid{box.left, box.right, -box.top, box.top, kFine, kFine, {}};
+  for (int row = 0; row < kFine; ++row)
+    for (int column = 0; column < kFine; ++column) grid.values.push_back(sampled_size(r, {grid.x(column), grid.y(row)}));
+  const std::array<std::pair<double, double>, 5> tints{{{1, 0.16}, {0.8, 0.26}, {0.6, 0.38}, {0.4, 0.52}, {0.2, 0.68}}};
+  for (const auto& [level, strength] : tints) panel.regions.push_back({level_region(grid, level).outlines, Ink::sky, strength});
+  panel.curves.push_back({{{{box.left, 0}, {box.right, 0}}, {{0, -box.top}, {0, box.top}}}, Ink::grey, 0.8, false});
+  panel.curves.push_back({level_region(grid, 1).lines, Ink::blue, 2.4, false});
+  if (const WindowEdge* edge = s.properties->real_axis.limit()) {
+    const double at = -edge->at.to_double();
+    panel.marks.push_back({{at, 0}, Ink::vermillion});
+    panel.labels.push_back({{at, 0}, "−" + short_number(-at), Ink::vermillion, Align::centre, at < box.left + 0.15 * (box.right - box.left) ? 1.1 : -1.2});
+  }
+  if (s.limit() && s.limit()->to_double() / s.substeps < box.top) {
+    const double at = s.limit()->to_double() / s.substeps;
+    for (const double side : {at, -at}) panel.marks.push_back({{0, side}, Ink::vermillion});
+    panel.labels.push_back({{0.02 * (box.right - box.left), at}, short_number(at) + " i", Ink::vermillion, Align::left, 0.8});
+  }
+  return panel;
+}
+
+}  // namespace
+
+Figure stability_figure(const Stability& s) {
+  Figure figure;
+  figure.title = s.integrator + (s.substeps > 1 ? ", " + std::to_string(s.substeps) + " substeps" : "");
+  if (s.function) figure.panels.push_back(region_panel(s));
+  figure.panels.push_back(sizes_panel(s));
+  return figure;
+}
+
+}  // namespace shortfall

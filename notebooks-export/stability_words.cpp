@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "notebooks-export/stability_words.hpp"
+
+#include "analysis/problems/letters.hpp"
+#include "analysis/stability/radicals.hpp"
+
+namespace shortfall {
+
+namespace {
+
+constexpr std::size_t kLongestRadical = 48;
+
+FormulaLetters letters_of(const Amplification& a, StabilityLetters letters) {
+  FormulaLetters result;
+  if (letters == StabilityLetters::products)
+    result.powers = {{kStiffness, "z", 2}, {kDamping, "d"}};
+  else
+    result.powers = {{kStepLetter, "h"}, {kStiffness, "w", 2}, {kDamping, "c"}};
+  for (std::size_t i = kFirstParameter; i < a.letters.size(); ++i) result.parameters.push_back({static_cast<Letter>(i), a.letters[i]});
+  return result;
+}
+
+std::string trimmed(const std::string& decimal) {
+  if (decimal.find('.') == std::string::npos) return decimal;
+  const std::size_t last = decimal.find_last_not_of('0');
+  return decimal.substr(0, decimal[last] == '.' ? last : last + 1);
+}
+
+std::string below(Style style, bool included) { return !included ? " < " : style == Style::unicode ? " ≤ " : " <= "; }
+
+std::string times(int n) { return n == 1 ? "once" : n == 2 ? "twice" : std::to_string(n) + " times"; }
+
+std::string minus(Style style) { return style == Style::unicode ? "−" : "-"; }
+
+std::string growth_words(int degree) { return degree == 1 ? "grows linearly" : "grows like n^" + std::to_string(degree); }
+
+}  // namespace
+
+Expr stability_formula(const Fraction& f, const Amplification& a, StabilityLetters letters) {
+  if (letters == StabilityLetters::products) return letter_formula(f, letters_of(a, letters));
+  const Fraction h = Fraction::letter(kStepLetter);
+  const Fraction written = f.substitute(kStiffness, h * h * Fraction::letter(kStiffness)).substitute(kDamping, h * Fraction::letter(kDamping));
+  return letter_formula(written, letters_of(a, letters));
+}
+
+Expr characteristic_formula(const Amplification& a, StabilityLetters letters) {
+  Expr total = number(0);
+  for (std::size_t k = a.nonzero.size(); k-- > 0;) {
+    if (a.nonzero[k].is_zero()) continue;
+    const Expr coefficient = stability_formula(a.nonzero[k], a, letters);
+    const Expr term = k == 0 ? coefficient : coefficient * power(name("lambda"), static_cast<int>(k));
+    total = total + term;
+  }
+  return total;
+}
+
+Expr stability_function_formula(const StabilityFunction& r) {
+  const Fraction f(Polynomial::in(kStiffness, r.numerator.coefficients()), Polynomial::in(kStiffness, r.denominator.coefficients()));
+  return letter_formula(f, {{{kStiffness, "z"}}, {}});
+}
+
+std::string exact_number(const RealRoot& r, Style style, int digits) {
+  const std::string decimal = r.is_rational() ? trimmed(r.significant(digits)) : r.significant(digits);
+  if (const auto formula = radical_formula(r)) {
+    const std::string text = print(*formula, style);
+    if (text == decimal) return text;
+    if (text.size() <= kLongestRadical) return text + " = " + decimal;
+  }
+  return decimal + " (a root of " + print(polynomial_formula(r.polynomial(), "x"), style) + ")";
+}
+
+std::string window_text(const Window& w, const std::string& letter, Style style) {
+  const auto edge = [&](const WindowEdge& e) {
+    const auto formula = radical_formula(e.at);
+    const std::string text = formula ? print(*formula, style) : "";
+    return !text.empty() && text.size() <= 16 ? text : e.at.significant(8);
+  };
+  if (w.is_point()) return letter + " = " + edge(*w.from);
+  return (w.from ? edge(*w.from) : "0") + below(style, w.from && w.from_included) + letter + (w.to ? below(style, w.to_included) + edge(*w.to) : "");
+}
+
+std::string growth_sentence(const PowerGrowth& growth, const LimitMotion* motion, Style style) {
+  if (growth.kind == PowerGrowth::Kind::exponential) return "grows exponentially";
+  if (growth.bounded()) return growth.decays ? "decays" : "stays bounded";
+  const std::string grows = growth_words(growth.degree);
+  if (!motion) return grows;
+  const bool x = !is_number(motion->position_growth, 0), v = !is_number(motion->velocity_growth, 0);
+  if (!x && !v) return "stays bounded, though other starting values of what is carried would grow";
+  const std::string condition = print(x ? motion->position_growth : motion->velocity_growth, style) + " = 0";
+  if (x && v) return grows + ", unless " + condition;
+  return (x ? "x " : "v ") + grows + ", unless " + condition + "; " + (x ? "v" : "x") + " stays bounded";
+}
+
+std::string growth_reason(const PowerGrowth& growth, Style style) {
+  std::string text;
+  for (const CircleEigenvalues& e : growth.circle) {
+    if (!text.empty()) text += "; ";
+    const bool pair = e.kind == CircleEigenvalues::Kind::pairs;
+    if (!pair)
+      text += "eigenvalue " + (e.kind == CircleEigenvalues::Kind::plus_one ? std::string("1") : minus(style) + "1");
+    else if (e.cosine)
+      text += "a pair of eigenvalues on the unit circle: each step turns by arccos(" + print(number(*e.cosine), style) + ")";
+    else
+      text += std::to_string(e.count) + " eigenvalues on the unit circle";
+    if (e.multiplicity > 1)
+      text += (pair ? ", each " : " ") + times(e.multiplicity) +
+              (e.largest_block == 1 ? ", diagonalisable" : ", in a Jordan block of size " + std::to_string(e.largest_block));
+  }
+  return text;
+}
+
+}  // namespace shortfall
