@@ -35,7 +35,8 @@ int correct_linear(const Question& q, const Force& force) {
   const LinearKit kit = linear_kit(program, force, q.values(), q.substeps);
   const Style style = q.ascii ? Style::language : Style::unicode;
   if (q.json)
-    write_output(as_json(kit, linear_derivation(program, force, q.values(), q.substeps)).dump(2) + "\n", q.output);
+    write_output(as_json(kit, linear_derivation(program, force, q.values(), q.substeps)).dump(2) + "\n",
+                 q.output);
   else
     write_output(program.name + ", force " + force.text + "\n" + as_text(kit, style), q.output);
   return kit.exists ? kDone : kNotDerivable;

@@ -59,7 +59,8 @@ void add_derive(CLI::App& app, int& code) {
       app, "Start here", "derive",
       "The exact motion after n steps, its shortfall, the corrections, with proofs.",
       {"derive symplectic-euler --force constant", "derive my-own.integrator --force poly:3 --latex",
-       "derive newmark --force poly:1 --param beta=1/6", "derive velocity-verlet --force spring", "derive symplectic-euler --substeps 4 --json"});
+       "derive newmark --force poly:1 --param beta=1/6", "derive velocity-verlet --force spring",
+       "derive symplectic-euler --substeps 4 --json"});
   auto q = std::make_shared<Question>();
   add_integrator(*command, *q);
   add_force(*command, *q);

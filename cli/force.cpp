@@ -9,7 +9,8 @@ namespace shortfall::cli {
 int force_degree(const std::string& text) {
   const Force force = force_named(text);
   if (force.linear())
-    throw Unable("this is answered for constant and poly:D; for '" + text.substr(0, 60) + "' ask derive or correct");
+    throw Unable("this is answered for constant and poly:D; for '" + text.substr(0, 60) +
+                 "' ask derive or correct");
   return force.degree;
 }
 

@@ -33,7 +33,10 @@ void add_integrator(CLI::App& command, Question& q) {
 }
 
 void add_force(CLI::App& command, Question& q) {
-  command.add_option("--force", q.force, "constant (a), poly:D (f0 + f1 t + ... + fD t^D), spring (-k x), damped-spring (-k x - c v), drag (a - c v), or a sum such as constant+spring; spring:k=4 fixes a letter")
+  command
+      .add_option("--force", q.force,
+                  "constant (a), poly:D (f0 + f1 t + ... + fD t^D), spring (-k x), damped-spring (-k x - c "
+                  "v), drag (a - c v), or a sum such as constant+spring; spring:k=4 fixes a letter")
       ->capture_default_str()
       ->type_name("F");
 }

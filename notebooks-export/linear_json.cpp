@@ -25,7 +25,12 @@ Json corrections(const LinearKit& kit) {
   static const char* const kinds[] = {"parameter", "launch", "read-out"};
   Json list = Json::array();
   for (const LinearCorrection& c : kit.corrections)
-    list.push_back({{"kind", kinds[static_cast<int>(c.kind)]}, {"target", c.target}, {"replace", print(c.value)}, {"exact", true}, {"order", nullptr}, {"reason", c.reason}});
+    list.push_back({{"kind", kinds[static_cast<int>(c.kind)]},
+                    {"target", c.target},
+                    {"replace", print(c.value)},
+                    {"exact", true},
+                    {"order", nullptr},
+                    {"reason", c.reason}});
   return list;
 }
 
@@ -45,26 +50,39 @@ Json as_json(const LinearDerivation& d, const LinearKit& kit) {
   json["definitions"] = definitions(d.definitions);
   json["condition"] = d.condition;
   Json cases = Json::array();
-  for (const RootCase& c : d.cases) cases.push_back({{"condition", c.condition}, {"position", print(c.position)}});
+  for (const RootCase& c : d.cases)
+    cases.push_back({{"condition", c.condition}, {"position", print(c.position)}});
   json["cases"] = cases;
   Json polynomial = Json::array();
   for (const Fraction& f : d.form.oscillation.polynomial) polynomial.push_back(print(formula(f, w)));
   json["recurrence"] = {{"polynomial", polynomial}};
-  for (const auto& [key, values] : {std::pair{"position", &d.form.oscillation.position}, {"velocity", &d.form.oscillation.velocity}}) {
+  for (const auto& [key, values] :
+       {std::pair{"position", &d.form.oscillation.position}, {"velocity", &d.form.oscillation.velocity}}) {
     Json columns = Json::object();
     for (std::size_t c = 0; c < values->size(); ++c)
-      for (const Fraction& f : (*values)[c]) columns[column_name(static_cast<int>(c), d.force.degree)].push_back(print(formula(f, w)));
+      for (const Fraction& f : (*values)[c])
+        columns[column_name(static_cast<int>(c), d.force.degree)].push_back(print(formula(f, w)));
     json["recurrence"][key] = columns;
   }
   json["trace"] = d.trace ? Json(print(formula(*d.trace, w))) : Json(nullptr);
   json["determinant"] = d.determinant ? Json(print(formula(*d.determinant, w))) : Json(nullptr);
-  json["exact"] = {{"position", print(d.exact.position)}, {"velocity", print(d.exact.velocity)}, {"definitions", definitions(d.exact.definitions)}, {"condition", d.exact.condition}};
+  json["exact"] = {{"position", print(d.exact.position)},
+                   {"velocity", print(d.exact.velocity)},
+                   {"definitions", definitions(d.exact.definitions)},
+                   {"condition", d.exact.condition}};
   if (kit.conserved)
-    json["conserved"] = {{"x^2", print(formula(kit.conserved->xx, w))}, {"x*v", print(formula(kit.conserved->xv, w))}, {"v^2", "1"}, {"factor", print(formula(kit.conserved->factor, w))}};
+    json["conserved"] = {{"x^2", print(formula(kit.conserved->xx, w))},
+                         {"x*v", print(formula(kit.conserved->xv, w))},
+                         {"v^2", "1"},
+                         {"factor", print(formula(kit.conserved->factor, w))}};
   add_kit(json, kit);
   json["valid_from"] = d.form.valid_from;
-  json["proof"] = {{"kind", "recurrence"}, {"proved", d.proved()}, {"points", d.proof.points}, {"recurrence_order", d.proof.recurrence},
-                   {"random_check", {{"trials", d.check.trials}, {"steps", d.check.steps}, {"agrees", d.check.agrees}}}};
+  json["proof"] = {
+      {"kind", "recurrence"},
+      {"proved", d.proved()},
+      {"points", d.proof.points},
+      {"recurrence_order", d.proof.recurrence},
+      {"random_check", {{"trials", d.check.trials}, {"steps", d.check.steps}, {"agrees", d.check.agrees}}}};
   json["assumptions"] = d.assumptions;
   return json;
 }

@@ -12,7 +12,8 @@ namespace {
 std::string equation_of_motion(const LinearDerivation& d, Style style) {
   Expr f = number(0);
   const Wording w = d.wording();
-  for (int i = 0; i <= d.force.degree; ++i) f = f + name(column_name(2 + i, d.force.degree)) * power(name("t"), i);
+  for (int i = 0; i <= d.force.degree; ++i)
+    f = f + name(column_name(2 + i, d.force.degree)) * power(name("t"), i);
   if (d.force.spring) f = f - formula(d.force.stiffness(), name("x"), w);
   if (d.force.damper) f = f - formula(d.force.damping(), name("v"), w);
   return (style == Style::latex ? "\\ddot x = " : "x'' = ") + print(f, style);
@@ -20,9 +21,12 @@ std::string equation_of_motion(const LinearDerivation& d, Style style) {
 
 std::string kind(LinearCorrection::Kind k) {
   switch (k) {
-    case LinearCorrection::Kind::parameter: return "parameter";
-    case LinearCorrection::Kind::launch: return "launch";
-    case LinearCorrection::Kind::read_out: return "read-out";
+    case LinearCorrection::Kind::parameter:
+      return "parameter";
+    case LinearCorrection::Kind::launch:
+      return "launch";
+    case LinearCorrection::Kind::read_out:
+      return "read-out";
   }
   return "";
 }
@@ -33,13 +37,15 @@ void append_definitions(std::string& text, const std::vector<Definition>& defini
 }
 
 Expr conserved_form(const QuadraticForm& q, const Wording& w) {
-  return joined(power(name("v"), 2), joined(formula(q.xv, name("x") * name("v"), w), formula(q.xx, power(name("x"), 2), w)));
+  return joined(power(name("v"), 2),
+                joined(formula(q.xv, name("x") * name("v"), w), formula(q.xx, power(name("x"), 2), w)));
 }
 
 void append_recurrence(std::string& text, const LinearDerivation& d, Style style) {
   const auto& p = d.form.oscillation.polynomial;
   const Wording w = d.wording();
-  text += "  The free part r of the motion satisfies\n    r(n+" + std::to_string(d.form.oscillation.order()) + ")";
+  text += "  The free part r of the motion satisfies\n    r(n+" + std::to_string(d.form.oscillation.order()) +
+          ")";
   for (int j = d.form.oscillation.order() - 1; j >= 0; --j)
     text += " + (" + print(formula(p[j], w), style) + ") r(n" + (j ? "+" + std::to_string(j) : "") + ")";
   text += " = 0\n";
@@ -49,10 +55,13 @@ void append_recurrence(std::string& text, const LinearDerivation& d, Style style
 
 std::string as_text(const LinearKit& kit, Style style) {
   if (!kit.exists)
-    return std::string(kit.impossible ? "  none can be exact on every frame: " : "  none found that is exact on every frame: ") + kit.obstruction + "\n";
+    return std::string(kit.impossible ? "  none can be exact on every frame: "
+                                      : "  none found that is exact on every frame: ") +
+           kit.obstruction + "\n";
   std::string text = "  exact on every frame; give or report instead:\n";
   for (const LinearCorrection& c : kit.corrections)
-    text += "    " + kind(c.kind) + ": " + c.target + " := " + print(c.value, style) + "\n        " + c.reason + "\n";
+    text += "    " + kind(c.kind) + ": " + c.target + " := " + print(c.value, style) + "\n        " +
+            c.reason + "\n";
   text += "  with\n";
   append_definitions(text, kit.definitions, style);
   return text + "  proof: " + kit.proof + "\n";
@@ -62,58 +71,82 @@ std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style
   const Wording w = d.wording();
   std::string text = d.integrator + ", " + equation_of_motion(d, style) + "\n";
   if (d.substeps > 1)
-    text += "h is the frame; it is stepped in " + std::to_string(d.substeps) + " substeps of h/" + std::to_string(d.substeps) + ".\n";
+    text += "h is the frame; it is stepped in " + std::to_string(d.substeps) + " substeps of h/" +
+            std::to_string(d.substeps) + ".\n";
   text += "n steps, t = n h. All formulas are exact.\n\n";
   if (d.position) {
-    text += "  " + line("position x_n ", d.position, style) + "\n  " + line("velocity v_n ", d.velocity, style) + "\n";
+    text += "  " + line("position x_n ", d.position, style) + "\n  " +
+            line("velocity v_n ", d.velocity, style) + "\n";
     append_definitions(text, d.definitions, style);
     if (!d.condition.empty()) text += "    for " + d.condition + "\n";
-    for (const RootCase& c : d.cases) text += "  " + c.condition + ":\n    " + line("x_n", c.position, style) + "\n";
+    for (const RootCase& c : d.cases)
+      text += "  " + c.condition + ":\n    " + line("x_n", c.position, style) + "\n";
   } else {
     append_recurrence(text, d, style);
-    text += "  from its first values (--json has them); an order above two has no shorter formula than its roots.\n";
+    text +=
+        "  from its first values (--json has them); an order above two has no shorter formula than its "
+        "roots.\n";
   }
   text += "\n  true motion, for " + d.exact.condition + "\n";
-  text += "  " + line("x(t) ", d.exact.position, style) + "\n  " + line("v(t) ", d.exact.velocity, style) + "\n";
+  text +=
+      "  " + line("x(t) ", d.exact.position, style) + "\n  " + line("v(t) ", d.exact.velocity, style) + "\n";
   append_definitions(text, d.exact.definitions, style);
   text += "  The shortfall is x(t) - x_n and v(t) - v_n: positive means too low.\n";
   if (!d.amplification.empty()) {
     text += "\nWhy\n  One step is linear: (x, v) becomes M (x, v) plus a push, with\n";
     for (const auto& row : d.amplification)
       text += "    [ " + print(formula(row[0], w), style) + ",  " + print(formula(row[1], w), style) + " ]\n";
-    text += "  trace T = " + print(formula(*d.trace, w), style) + ", determinant D = " + print(formula(*d.determinant, w), style) + "\n";
-    text += "  M^2 = T M - D (Cayley and Hamilton), so every free motion satisfies x(n+2) = T x(n+1) - D x(n); its solutions are the powers of the\n"
-            "  roots of z^2 = T z - D. A push adds a motion of its own, found by comparing powers of n. The two first values fix the rest.\n";
+    text += "  trace T = " + print(formula(*d.trace, w), style) +
+            ", determinant D = " + print(formula(*d.determinant, w), style) + "\n";
+    text +=
+        "  M^2 = T M - D (Cayley and Hamilton), so every free motion satisfies x(n+2) = T x(n+1) - D x(n); "
+        "its solutions are the powers of the\n"
+        "  roots of z^2 = T z - D. A push adds a motion of its own, found by comparing powers of n. The two "
+        "first values fix the rest.\n";
   }
   if (kit.conserved) {
     text += "\nEnergy\n  " + print(conserved_form(*kit.conserved, w), style);
-    text += kit.conserved->factor == Fraction(1) ? " is conserved exactly by every step" : " is multiplied by D = " + print(formula(kit.conserved->factor, w), style) + " in every step";
+    text +=
+        kit.conserved->factor == Fraction(1)
+            ? " is conserved exactly by every step"
+            : " is multiplied by D = " + print(formula(kit.conserved->factor, w), style) + " in every step";
     text += " (about the rest point; M^T Q M = D Q, proved).\n";
   }
   text += "\nCorrections\n" + as_text(kit, style);
   text += "\nProof\n  ";
-  text += d.proof.proved ? "Closed form and stepping satisfy one linear recurrence of order " + std::to_string(d.proof.recurrence) +
-                               " and agree, all letters symbolic, at\n  as many consecutive n. Hence they agree for every n."
-                         : "NOT PROVED: this is a bug of ours; please report it.";
-  text += "\n  Checked besides: " + std::to_string(d.check.trials) + " random cases stepped in rational numbers for " + std::to_string(d.check.steps) +
+  text +=
+      d.proof.proved
+          ? "Closed form and stepping satisfy one linear recurrence of order " +
+                std::to_string(d.proof.recurrence) +
+                " and agree, all letters symbolic, at\n  as many consecutive n. Hence they agree for every n."
+          : "NOT PROVED: this is a bug of ours; please report it.";
+  text += "\n  Checked besides: " + std::to_string(d.check.trials) +
+          " random cases stepped in rational numbers for " + std::to_string(d.check.steps) +
           " steps: " + (d.check.agrees ? "equal" : "DIFFERENT") + ".\nAssumed: ";
   for (std::size_t i = 0; i < d.assumptions.size(); ++i) text += (i ? "; " : "") + d.assumptions[i];
   return text + ".\n";
 }
 
 std::string as_latex(const LinearDerivation& d, const LinearKit& kit) {
-  std::string text = "% " + d.integrator + ", " + equation_of_motion(d, Style::language) + "; needs amsmath\n\\begin{align*}\n";
-  const auto add = [&](const std::string& left, const Expr& right) { text += "  " + left + " &= " + print(right, Style::latex) + " \\\\\n"; };
+  std::string text = "% " + d.integrator + ", " + equation_of_motion(d, Style::language) +
+                     "; needs amsmath\n\\begin{align*}\n";
+  const auto add = [&](const std::string& left, const Expr& right) {
+    text += "  " + left + " &= " + print(right, Style::latex) + " \\\\\n";
+  };
   if (d.position) {
     add("x_n", d.position);
     add("v_n", d.velocity);
-    for (const Definition& definition : d.definitions) add(print(name(definition.name), Style::latex), definition.value);
+    for (const Definition& definition : d.definitions)
+      add(print(name(definition.name), Style::latex), definition.value);
   }
   add("x(t)", d.exact.position);
   add("v(t)", d.exact.velocity);
-  for (const Definition& definition : d.exact.definitions) add(print(name(definition.name), Style::latex), definition.value);
-  for (const LinearCorrection& c : kit.corrections) add("\\tilde{" + print(name(c.target), Style::latex) + "}", c.value);
-  for (const Definition& definition : kit.definitions) add(print(name(definition.name), Style::latex), definition.value);
+  for (const Definition& definition : d.exact.definitions)
+    add(print(name(definition.name), Style::latex), definition.value);
+  for (const LinearCorrection& c : kit.corrections)
+    add("\\tilde{" + print(name(c.target), Style::latex) + "}", c.value);
+  for (const Definition& definition : kit.definitions)
+    add(print(name(definition.name), Style::latex), definition.value);
   return text + "\\end{align*}\n";
 }
 

@@ -9,7 +9,8 @@
 
 namespace shortfall {
 
-/// A derivation under a linear force as a person reads it: answer, reasons, corrections, conserved energy, proofs.
+/// A derivation under a linear force as a person reads it: answer, reasons, corrections, conserved energy,
+/// proofs.
 std::string as_text(const LinearDerivation& derivation, const LinearKit& kit, Style style);
 
 /// The kit alone.

@@ -25,11 +25,13 @@ class Matcher {
     cosine_ = force.spring ? Fraction::letter(kFlowCosine) : Fraction(1);
     decay_ = force.damper ? Fraction::letter(kFlowDecay) : Fraction(1);
     sine_ = force.spring ? Fraction::letter(kFlowSine) : (Fraction(1) - decay_) / c_;
-    trace_ = force.spring ? Fraction(2) * cosine_ - (force.damper ? c_ * sine_ : Fraction()) : Fraction(1) + decay_;
+    trace_ = force.spring ? Fraction(2) * cosine_ - (force.damper ? c_ * sine_ : Fraction())
+                          : Fraction(1) + decay_;
   }
 
   LinearKit matched() {
-    // The integrator with the parameters still free; without damping first, with it when the determinant asks for it.
+    // The integrator with the parameters still free; without damping first, with it when the determinant asks
+    // for it.
     Force free = force_;
     free.k.reset();
     free.c.reset();
@@ -55,7 +57,8 @@ class Matcher {
   bool load(const Force& free) {
     const LinearDerivation d = linear_derivation(program_, free, given_, substeps_);
     names_ = d.map.letters;
-    if (static_cast<int>(names_.size()) > kTrueStiffness) throw Unable("corrections for linear forces carry at most 6 free parameters");
+    if (static_cast<int>(names_.size()) > kTrueStiffness)
+      throw Unable("corrections for linear forces carry at most 6 free parameters");
     names_.resize(kLetters);
     names_[kTrueStiffness] = "k";
     names_[kTrueDamping] = "c";
@@ -63,8 +66,10 @@ class Matcher {
     names_[kFlowSine] = "S";
     names_[kFlowDecay] = "D";
     if (d.amplification.empty())
-      return refuse("the reported position and velocity do not carry the motion by themselves (a state besides them matters), so the spectrum has more than two "
-                    "eigenvalues; the exact flow has two");
+      return refuse(
+          "the reported position and velocity do not carry the motion by themselves (a state besides them "
+          "matters), so the spectrum has more than two "
+          "eigenvalues; the exact flow has two");
     m_ = d.amplification;
     determinant_ = *d.determinant;
     integrator_trace_ = *d.trace;
@@ -73,17 +78,28 @@ class Matcher {
   }
 
   bool match_parameters(const Force& free) {
-    if (m_[0][1].is_zero()) return refuse("the velocity does not move the position: the Jordan form of the step is not that of the exact flow");
+    if (m_[0][1].is_zero())
+      return refuse(
+          "the velocity does not move the position: the Jordan form of the step is not that of the exact "
+          "flow");
     std::vector<Letter> unknowns;
     if (free.spring) unknowns.push_back(kStiffness);
     if (free.damper) unknowns.push_back(kDamping);
     const Matching found = matching({integrator_trace_ - trace_, determinant_ - decay_}, unknowns, names_);
-    if (!found.values) return refuse("trace and determinant of the step cannot both be matched to the exact flow's: " + found.obstruction);
-    for (auto* entry : {&m_[0][0], &m_[0][1], &m_[1][0], &m_[1][1], &push_[0], &push_[1]}) *entry = found.put_into(*entry);
+    if (!found.values) {
+      kit_.impossible = found.impossible;
+      return refuse((found.impossible
+                         ? "trace and determinant of the step cannot both be matched to the exact flow's: "
+                         : "trace and determinant of the step were not matched to the exact flow's: ") +
+                    found.obstruction);
+    }
+    for (auto* entry : {&m_[0][0], &m_[0][1], &m_[1][0], &m_[1][1], &push_[0], &push_[1]})
+      *entry = found.put_into(*entry);
     for (std::size_t i = 0; i < unknowns.size(); ++i) {
       const bool k = unknowns[i] == kStiffness;
       add(LinearCorrection::Kind::parameter, k ? "k" : "c", (*found.values)[i],
-          k ? "give the integrator this stiffness: the frequency is then exact" : "give the integrator this damping: the decay is then exact");
+          k ? "give the integrator this stiffness: the frequency is then exact"
+            : "give the integrator this damping: the decay is then exact");
       (k ? stiffness_ : damping_) = (*found.values)[i];
     }
     kit_.exists = m_[0][0] + m_[1][1] == trace_ && m_[0][0] * m_[1][1] - m_[0][1] * m_[1][0] == decay_;
@@ -91,10 +107,12 @@ class Matcher {
     return true;
   }
 
-  void add(LinearCorrection::Kind kind, const std::string& target, const Expr& value, const std::string& reason) {
+  void add(LinearCorrection::Kind kind, const std::string& target, const Expr& value,
+           const std::string& reason) {
     kit_.corrections.push_back({kind, target, value, reason});
   }
-  void add(LinearCorrection::Kind kind, const std::string& target, const Fraction& value, const std::string& reason) {
+  void add(LinearCorrection::Kind kind, const std::string& target, const Fraction& value,
+           const std::string& reason) {
     add(kind, target, formula(value, wording()), reason);
   }
 
@@ -102,21 +120,26 @@ class Matcher {
 
   Expr sum_of(const std::vector<std::pair<Fraction, const char*>>& terms) const {
     Expr total = number(0);
-    for (const auto& [weight, letter] : terms) total = joined(total, formula(weight, name(letter), wording()));
+    for (const auto& [weight, letter] : terms)
+      total = joined(total, formula(weight, name(letter), wording()));
     return total;
   }
 
-  /// g~, launch and read-out. Positions relative to the rest point (spring) or velocities to the terminal one (drag) obey the free motion.
+  /// g~, launch and read-out. Positions relative to the rest point (spring) or velocities to the terminal one
+  /// (drag) obey the free motion.
   void match_forces() {
     const bool pushed = force_.degree == 0;
     if (force_.degree > 0) {
       kit_.exists = false;
+      kit_.impossible = false;
       kit_.corrections.clear();
-      kit_.obstruction = "for linear forces the kit is solved for a constant push at most, not for one that is a polynomial in t";
+      kit_.obstruction =
+          "for linear forces the kit is solved for a constant push at most, not for one that is a polynomial "
+          "in t";
       return;
     }
-    Fraction rest_v;        // velocity that the integrator reports at rest, or at its terminal speed
-    Fraction push_factor;   // a~ / a
+    Fraction rest_v;       // velocity that the integrator reports at rest, or at its terminal speed
+    Fraction push_factor;  // a~ / a
     const Fraction one(1);
     if (pushed && force_.spring) {
       // z = M z + b a~ at rest, with x = a/k
@@ -130,27 +153,37 @@ class Matcher {
       push_factor = Fraction::letter(kStepLetter) / c_ / (m_[0][1] * terminal + push_[0]);
       rest_v = terminal * push_factor;
     }
-    if (pushed) add(LinearCorrection::Kind::parameter, "a", sum_of({{push_factor, "a"}}), force_.spring ? "give it this force: the rest point is then exact" : "give it this force: the terminal speed is then exact");
+    if (pushed)
+      add(LinearCorrection::Kind::parameter, "a", sum_of({{push_factor, "a"}}),
+          force_.spring ? "give it this force: the rest point is then exact"
+                        : "give it this force: the terminal speed is then exact");
     const Fraction per = one / m_[0][1];
     const Fraction shift = (cosine_ - m_[0][0]) * per;
     if (force_.spring) {
       // v0' - v* = ((C - m11) (x0 - x*) + S v0) / m12
-      add(LinearCorrection::Kind::launch, "v0", sum_of({{shift, "x0"}, {sine_ * per, "v0"}, {pushed ? rest_v - shift / k_ : Fraction(), "a"}}),
+      add(LinearCorrection::Kind::launch, "v0",
+          sum_of({{shift, "x0"}, {sine_ * per, "v0"}, {pushed ? rest_v - shift / k_ : Fraction(), "a"}}),
           "start with this velocity: the first position is then exact");
       const Fraction back = one / sine_;
       add(LinearCorrection::Kind::read_out, "v",
-          sum_of({{-shift / (sine_ * per), "x_n"}, {m_[0][1] * back, "v_n"}, {pushed ? shift / (sine_ * per) / k_ - m_[0][1] * back * rest_v : Fraction(), "a"}}),
+          sum_of({{-shift / (sine_ * per), "x_n"},
+                  {m_[0][1] * back, "v_n"},
+                  {pushed ? shift / (sine_ * per) / k_ - m_[0][1] * back * rest_v : Fraction(), "a"}}),
           "report this velocity; go on with the integrator's own");
     } else {
       // v0' - v* = S (v0 - a/c) / m12
       const Fraction keep = sine_ * per;
-      add(LinearCorrection::Kind::launch, "v0", sum_of({{keep, "v0"}, {pushed ? rest_v - keep / c_ : Fraction(), "a"}}),
+      add(LinearCorrection::Kind::launch, "v0",
+          sum_of({{keep, "v0"}, {pushed ? rest_v - keep / c_ : Fraction(), "a"}}),
           "start with this velocity: the first position is then exact");
-      add(LinearCorrection::Kind::read_out, "v", sum_of({{one / keep, "v_n"}, {pushed ? one / c_ - rest_v / keep : Fraction(), "a"}}),
+      add(LinearCorrection::Kind::read_out, "v",
+          sum_of({{one / keep, "v_n"}, {pushed ? one / c_ - rest_v / keep : Fraction(), "a"}}),
           "report this velocity; go on with the integrator's own");
     }
-    kit_.proof = "trace and determinant of the step equal those of the exact flow over h, so both motions satisfy x(n+2) = T x(n+1) - D x(n) about the same rest "
-                 "motion; with the launch they agree at n = 0 and 1, hence for every n";
+    kit_.proof =
+        "trace and determinant of the step equal those of the exact flow over h, so both motions satisfy "
+        "x(n+2) = T x(n+1) - D x(n) about the same rest "
+        "motion; with the launch they agree at n = 0 and 1, hence for every n";
     define_flow();
   }
 
@@ -164,7 +197,8 @@ class Matcher {
     }
     if (force_.damper) {
       const Expr c = force_.c ? number(*force_.c) : name("c");
-      kit_.definitions.push_back({"D", call("exp", {negate(c) * name("h")}), "the share of the velocity that damping leaves after h"});
+      kit_.definitions.push_back({"D", call("exp", {negate(c) * name("h")}),
+                                  "the share of the velocity that damping leaves after h"});
     }
   }
 
@@ -189,9 +223,11 @@ std::optional<QuadraticForm> quadratic_form(const std::vector<std::vector<Fracti
   const QuadraticForm q{-m[1][0] / m[0][1], (m[0][0] - m[1][1]) / m[0][1], det};
   const Fraction b = q.xv / Fraction(2);
   const Fraction xx = m[0][0].pow(2) * q.xx + Fraction(2) * m[0][0] * m[1][0] * b + m[1][0].pow(2);
-  const Fraction xv = m[0][0] * m[0][1] * q.xx + (m[0][0] * m[1][1] + m[0][1] * m[1][0]) * b + m[1][0] * m[1][1];
+  const Fraction xv =
+      m[0][0] * m[0][1] * q.xx + (m[0][0] * m[1][1] + m[0][1] * m[1][0]) * b + m[1][0] * m[1][1];
   const Fraction vv = m[0][1].pow(2) * q.xx + Fraction(2) * m[0][1] * m[1][1] * b + m[1][1].pow(2);
-  if (!(xx == det * q.xx) || !(xv == det * b) || !(vv == det)) throw Error("a quadratic form does not survive substitution");
+  if (!(xx == det * q.xx) || !(xv == det * b) || !(vv == det))
+    throw Error("a quadratic form does not survive substitution");
   return q;
 }
 

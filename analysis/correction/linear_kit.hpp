@@ -25,9 +25,12 @@ struct QuadraticForm {
   Fraction factor;  ///< per step; 1: conserved exactly
 };
 
-/// How to make an integrator exact on every frame under -k x, -k x - c v, a - c v, also with a constant force.
+/// How to make an integrator exact on every frame under -k x, -k x - c v, a - c v, also with a constant
+/// force.
 struct LinearKit {
   bool exists = false;
+  bool impossible =
+      true;  ///< when it does not exist: proved; false: we found none, with the limit in `obstruction`
   std::string obstruction;
   std::string proof;
   std::vector<LinearCorrection> corrections;
@@ -35,11 +38,12 @@ struct LinearKit {
   std::optional<QuadraticForm> conserved;
 };
 
-/// Matches trace and determinant by the parameters k~ and c~, then the first position by the launch; everything is solved for, exactly.
+/// Matches trace and determinant by the parameters k~ and c~, then the first position by the launch;
+/// everything is solved for, exactly.
 ///
-/// Two motions that satisfy the same linear recurrence of order two and agree at n = 0 and 1 agree for every n: that is the proof, and its
-/// premises are compared as rational functions of h, k, c and of C, S, D, the entries of the exact flow over one step.
-/// throws  BadInput, Undefined, Unable  as linear_derivation
+/// Two motions that satisfy the same linear recurrence of order two and agree at n = 0 and 1 agree for every
+/// n: that is the proof, and its premises are compared as rational functions of h, k, c and of C, S, D, the
+/// entries of the exact flow over one step. throws  BadInput, Undefined, Unable  as linear_derivation
 LinearKit linear_kit(const Program& program, const Force& force, const Values& given = {}, int substeps = 1);
 
 /// The quadratic form that belongs to a 2 x 2 amplification matrix; empty when v does not move x.

@@ -52,7 +52,8 @@ void read_word(std::string_view text, std::string_view word, Force& force) {
       degree = -1;
     }
     if (degree < 0 || degree > kHighestDegree)
-      complain(text, "the degree is a whole number from 0 to " + std::to_string(kHighestDegree) + ", as in poly:3");
+      complain(text,
+               "the degree is a whole number from 0 to " + std::to_string(kHighestDegree) + ", as in poly:3");
     force.degree = std::max(force.degree, static_cast<int>(degree));
   } else if (name == "spring" || name == "damped-spring" || name == "drag") {
     if (name != "drag") force.spring = true;
@@ -60,9 +61,10 @@ void read_word(std::string_view text, std::string_view word, Force& force) {
     if (name == "drag") force.degree = std::max(force.degree, 0);
     read_letters(text, rest, force);
   } else {
-    throw BadInput("unknown force '" + std::string(word.substr(0, 60)) + "'" +
-                   did_you_mean(name, {"constant", "poly:1", "spring", "damped-spring", "drag"}) +
-                   "; the forces are constant, poly:D, spring, damped-spring, drag, and sums such as constant+spring");
+    throw BadInput(
+        "unknown force '" + std::string(word.substr(0, 60)) + "'" +
+        did_you_mean(name, {"constant", "poly:1", "spring", "damped-spring", "drag"}) +
+        " (the forces are constant, poly:D, spring, damped-spring, drag, and sums such as constant+spring)");
   }
 }
 

@@ -11,9 +11,9 @@ namespace shortfall {
 
 /// The accelerations for which motions are known exactly: f0 + f1 t + ... + fD t^D - k x - c v.
 struct Force {
-  int degree = 0;       ///< D; -1 when nothing depends on time alone
-  bool spring = false;  ///< - k x
-  bool damper = false;  ///< - c v
+  int degree = 0;             ///< D; -1 when nothing depends on time alone
+  bool spring = false;        ///< - k x
+  bool damper = false;        ///< - c v
   std::optional<Rational> k;  ///< 1/s^2; a letter when not given
   std::optional<Rational> c;  ///< 1/s; a letter when not given
   std::string text = "constant";
@@ -23,8 +23,8 @@ struct Force {
   Fraction damping() const;
 };
 
-/// The force that a user means: constant, poly:D, spring, damped-spring, drag (a - c v), and sums such as constant+spring;
-/// spring:k=4 and damped-spring:k=4,c=1/2 fix letters.
+/// The force that a user means: constant, poly:D, spring, damped-spring, drag (a - c v), and sums such as
+/// constant+spring; spring:k=4 and damped-spring:k=4,c=1/2 fix letters.
 ///
 /// throws  BadInput  with a suggestion; k and c given as 0 mean that there is none
 Force force_named(std::string_view text);

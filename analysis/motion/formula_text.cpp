@@ -37,7 +37,8 @@ Expr appended(Expr total, Expr more, bool negative) {
 Expr written_out(const Polynomial& p, const Expr& vector, const Wording& w, Expr total = nullptr) {
   const auto& terms = p.terms();
   // 1 - h^2 k/2 rather than -h^2 k/2 + 1.
-  const bool backwards = !vector && !total && terms.size() > 1 && terms.front().coefficient.sign() < 0 && terms.back().coefficient.sign() > 0;
+  const bool backwards = !vector && !total && terms.size() > 1 && terms.front().coefficient.sign() < 0 &&
+                         terms.back().coefficient.sign() > 0;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     const Polynomial::Term& t = backwards ? terms[terms.size() - 1 - i] : terms[i];
     total = appended(std::move(total), term(t, vector, w), t.coefficient.sign() < 0);

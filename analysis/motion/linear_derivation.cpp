@@ -12,14 +12,20 @@ namespace shortfall {
 
 namespace {
 
-/// Steps random rational numbers and holds the closed form against them: no letters, another interpreter's problem.
-RandomCheck random_check(const Tape& tape, const Program& program, const Values& given, const LinearDerivation& d) {
+/// Steps random rational numbers and holds the closed form against them: no letters, another interpreter's
+/// problem.
+RandomCheck random_check(const Tape& tape, const Program& program, const Values& given,
+                         const LinearDerivation& d) {
   constexpr int kTrials = 3;
   constexpr int kSteps = 12;
   RandomCheck check{kTrials, kSteps, true};
   std::mt19937 random(1687);
-  const auto draw = [&] { return Rational(static_cast<int>(random() % 81) - 40, 1 + static_cast<int>(random() % 9)); };
-  const auto positive = [&] { return Rational(1 + static_cast<int>(random() % 40), 1 + static_cast<int>(random() % 9)); };
+  const auto draw = [&] {
+    return Rational(static_cast<int>(random() % 81) - 40, 1 + static_cast<int>(random() % 9));
+  };
+  const auto positive = [&] {
+    return Rational(1 + static_cast<int>(random() % 40), 1 + static_cast<int>(random() % 9));
+  };
   const Values parameters = parameter_values(program, given);
   for (int trial = 0; trial < kTrials; ++trial) {
     std::vector<Rational> column{draw(), draw()};
@@ -27,8 +33,10 @@ RandomCheck random_check(const Tape& tape, const Program& program, const Values&
     const Rational h(1, 2 + static_cast<int>(random() % 30));
     const Rational k = d.force.spring ? d.force.k.value_or(positive()) : Rational(0);
     const Rational c = d.force.damper ? d.force.c.value_or(positive()) : Rational(0);
-    std::map<Letter, Rational> letters{{kStepLetter, h}, {kStiffness, k}, {kDamping, c}, {kTimeLetter, 0}, {kCount, 0}};
-    for (std::size_t i = 0; i < tape.parameters.size(); ++i) letters[kFirstParameter + static_cast<int>(i)] = parameters.at(tape.parameters[i].name);
+    std::map<Letter, Rational> letters{
+        {kStepLetter, h}, {kStiffness, k}, {kDamping, c}, {kTimeLetter, 0}, {kCount, 0}};
+    for (std::size_t i = 0; i < tape.parameters.size(); ++i)
+      letters[kFirstParameter + static_cast<int>(i)] = parameters.at(tape.parameters[i].name);
     Numbers<Rational> problem{[&](const Rational& x, const Rational& v, const Rational& t) {
       Rational f;
       for (int i = d.force.degree; i >= 0; --i) f = f * t + column[2 + i];
@@ -43,7 +51,8 @@ RandomCheck random_check(const Tape& tape, const Program& program, const Values&
       const auto first = [&](const Oscillation::Values& values) {
         std::vector<Rational> sum(d.form.oscillation.order());
         for (std::size_t col = 0; col < column.size(); ++col)
-          for (std::size_t j = 0; j < sum.size(); ++j) sum[j] += values[col][j].evaluate(letters) * column[col];
+          for (std::size_t j = 0; j < sum.size(); ++j)
+            sum[j] += values[col][j].evaluate(letters) * column[col];
         return sum;
       };
       std::vector<Rational> rx = first(d.form.oscillation.position);
@@ -60,7 +69,8 @@ RandomCheck random_check(const Tape& tape, const Program& program, const Values&
         if (n < d.form.valid_from) continue;
         const auto [x, v] = run.read_out();
         letters[kCount] = n;
-        for (const auto& [stepped, motion, rest] : {std::tuple{x, &d.form.position, &rx}, {v, &d.form.velocity, &rv}}) {
+        for (const auto& [stepped, motion, rest] :
+             {std::tuple{x, &d.form.position, &rx}, {v, &d.form.velocity, &rv}}) {
           Rational closed = rest->empty() ? Rational(0) : rest->front();
           for (std::size_t col = 0; col < motion->size(); ++col)
             for (const Sequence::Term& term : (*motion)[col].terms())
@@ -79,43 +89,58 @@ RandomCheck random_check(const Tape& tape, const Program& program, const Values&
 /// Puts the pieces of a two-term oscillation together.
 class Wave {
  public:
-  explicit Wave(LinearDerivation& d) : d_(d), w_(d.wording()), trace_(-d.form.oscillation.polynomial[1]), determinant_(d.form.oscillation.polynomial[0]) {}
+  explicit Wave(LinearDerivation& d)
+      : d_(d),
+        w_(d.wording()),
+        trace_(-d.form.oscillation.polynomial[1]),
+        determinant_(d.form.oscillation.polynomial[0]) {}
 
   void tell() {
     const Fraction half = trace_ / Fraction(2);
     const bool unit = determinant_ == Fraction(1);
     const Expr r = unit ? number(1) : name("r");
-    if (!unit) d_.definitions.push_back({"r", call("sqrt", {formula(determinant_, w_)}), "growth of the amplitude per step"});
-    d_.definitions.push_back({"theta", call("acos", {unit ? formula(half, w_) : formula(half, w_) / r}), "phase per step"});
+    if (!unit)
+      d_.definitions.push_back(
+          {"r", call("sqrt", {formula(determinant_, w_)}), "growth of the amplitude per step"});
+    d_.definitions.push_back(
+        {"theta", call("acos", {unit ? formula(half, w_) : formula(half, w_) / r}), "phase per step"});
     const Expr n = name("n");
     const Expr angle = n * name("theta");
     const Expr growth = unit ? number(1) : binary(Expression::Op::power, r, n);
     const Expr sine_unit = unit ? call("sin", {name("theta")}) : r * call("sin", {name("theta")});
-    d_.position = wave(d_.form.position, d_.form.oscillation.position, half, growth * call("cos", {angle}), growth * call("sin", {angle}) / sine_unit);
-    d_.velocity = wave(d_.form.velocity, d_.form.oscillation.velocity, half, growth * call("cos", {angle}), growth * call("sin", {angle}) / sine_unit);
+    d_.position = wave(d_.form.position, d_.form.oscillation.position, half, growth * call("cos", {angle}),
+                       growth * call("sin", {angle}) / sine_unit);
+    d_.velocity = wave(d_.form.velocity, d_.form.oscillation.velocity, half, growth * call("cos", {angle}),
+                       growth * call("sin", {angle}) / sine_unit);
     const std::string trace = print(formula(trace_, w_));
-    d_.condition = "T^2 < 4 D, with T = " + trace + ", D = " + print(formula(determinant_, w_)) + ": two complex roots";
+    d_.condition =
+        "T^2 < 4 D, with T = " + trace + ", D = " + print(formula(determinant_, w_)) + ": two complex roots";
     // Double root T/2: the powers (T/2)^n and n (T/2)^(n-1).
     const Expr root = formula(half, w_);
-    d_.cases.push_back({"T^2 = 4 D: a double root T/2",
-                        wave(d_.form.position, d_.form.oscillation.position, half, binary(Expression::Op::power, root, n),
-                             n * binary(Expression::Op::power, root, n - number(1)))});
-    // Two real roots: cosh and sinh in place of cos and sin.
-    const Expr hyperbolic = n * name("eta");
-    d_.cases.push_back({"T^2 > 4 D > 0: two real roots; eta = acosh(abs(T)/(2 r)), times (-1)^n when T < 0",
-                        wave(d_.form.position, d_.form.oscillation.position, half, growth * call("cosh", {hyperbolic}),
-                             growth * call("sinh", {hyperbolic}) / (unit ? call("sinh", {name("eta")}) : r * call("sinh", {name("eta")})))});
+    d_.cases.push_back(
+        {"T^2 = 4 D: a double root T/2",
+         wave(d_.form.position, d_.form.oscillation.position, half, binary(Expression::Op::power, root, n),
+              n * binary(Expression::Op::power, root, n - number(1)))});
+    // Two real roots z1, z2: half their sum of powers takes the place of the cosine, the difference over z1 -
+    // z2 that of the sine.
+    const Expr z1 = binary(Expression::Op::power, name("z1"), n);
+    const Expr z2 = binary(Expression::Op::power, name("z2"), n);
+    d_.cases.push_back({"T^2 > 4 D: two real roots z1, z2 = T/2 + sqrt(T^2/4 - D), T/2 - sqrt(T^2/4 - D)",
+                        wave(d_.form.position, d_.form.oscillation.position, half, (z1 + z2) / number(2),
+                             (z1 - z2) / (name("z1") - name("z2")))});
   }
 
  private:
   /// rational part + A cosine + B sine, where A = r(0) and B = r(1) - T/2 r(0).
-  Expr wave(const Motion& rational, const Oscillation::Values& values, const Fraction& half, const Expr& cosine, const Expr& sine) const {
+  Expr wave(const Motion& rational, const Oscillation::Values& values, const Fraction& half,
+            const Expr& cosine, const Expr& sine) const {
     Expr total = formula(rational, d_.force.degree, w_);
     for (const bool with_cosine : {true, false}) {
       Expr amplitude = number(0);
       for (std::size_t c = 0; c < values.size(); ++c) {
         const Fraction a = with_cosine ? values[c][0] : values[c][1] - half * values[c][0];
-        amplitude = joined(amplitude, formula(a, name(column_name(static_cast<int>(c), d_.force.degree)), w_));
+        amplitude =
+            joined(amplitude, formula(a, name(column_name(static_cast<int>(c), d_.force.degree)), w_));
       }
       if (is_number(amplitude, 0)) continue;
       const bool minus = amplitude->op == Expression::Op::negate;
@@ -132,7 +157,8 @@ class Wave {
 };
 
 void find_amplification(LinearDerivation& d) {
-  // Reported x and v after 0 and 1 steps as functions of x0, v0; only when the beginning is reported as it is given.
+  // Reported x and v after 0 and 1 steps as functions of x0, v0; only when the beginning is reported as it is
+  // given.
   std::vector<std::vector<Fraction>> m(2, std::vector<Fraction>(2));
   for (const int column : {0, 1})
     for (const bool position : {true, false}) {
@@ -144,7 +170,8 @@ void find_amplification(LinearDerivation& d) {
   for (const int column : {0, 1})
     for (const bool position : {true, false}) {
       const int row = position ? 0 : 1;
-      if (!(motion_at(d.form, position, 2, column) == m[row][0] * m[0][column] + m[row][1] * m[1][column])) return;
+      if (!(motion_at(d.form, position, 2, column) == m[row][0] * m[0][column] + m[row][1] * m[1][column]))
+        return;
     }
   d.amplification = m;
   d.trace = m[0][0] + m[1][1];
@@ -154,7 +181,8 @@ void find_amplification(LinearDerivation& d) {
 
 }  // namespace
 
-LinearDerivation linear_derivation(const Program& program, const Force& force, const Values& given, int substeps) {
+LinearDerivation linear_derivation(const Program& program, const Force& force, const Values& given,
+                                   int substeps) {
   const Program stepped_program = substepped(program, substeps);
   const Tape tape = lower(stepped_program, given);
   LinearDerivation d;
@@ -175,7 +203,9 @@ LinearDerivation linear_derivation(const Program& program, const Force& force, c
   }
   d.check = random_check(tape, stepped_program, given, d);
   d.assumptions = {"every step has the same length h"};
-  if (d.form.valid_from > 0) d.assumptions.push_back("n >= " + std::to_string(d.form.valid_from) + ": before that, the start is still felt");
+  if (d.form.valid_from > 0)
+    d.assumptions.push_back("n >= " + std::to_string(d.form.valid_from) +
+                            ": before that, the start is still felt");
   return d;
 }
 

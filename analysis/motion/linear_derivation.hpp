@@ -26,8 +26,9 @@ struct LinearDerivation {
   MotionProof proof;
   RandomCheck check;
 
-  std::vector<std::vector<Fraction>> amplification;  ///< 2 x 2: (x, v) as reported, without forces that depend on time alone; empty when
-                                                     ///< the reported pair alone does not determine the next one
+  std::vector<std::vector<Fraction>>
+      amplification;  ///< 2 x 2: (x, v) as reported, without forces that depend on time alone; empty when
+                      ///< the reported pair alone does not determine the next one
   std::optional<Fraction> trace;
   std::optional<Fraction> determinant;
   Fraction discriminant;  ///< T^2 - 4 D
@@ -35,8 +36,8 @@ struct LinearDerivation {
   std::vector<Definition> definitions;  ///< theta, r of the integrator
   Expr position;                        ///< after n steps; nullptr when the recurrence has an order above 2
   Expr velocity;
-  std::string condition;         ///< for which values `position` is real
-  std::vector<RootCase> cases;   ///< double root, two real roots
+  std::string condition;        ///< for which values `position` is real
+  std::vector<RootCase> cases;  ///< double root, two real roots
   std::vector<DerivationStep> steps;
   LinearFlow exact;
   std::vector<std::string> assumptions;
@@ -48,6 +49,7 @@ struct LinearDerivation {
 /// Derives and proves, by the characteristic polynomial of the step.
 ///
 /// throws  Unable  with the reason; Undefined when an implicit stage is singular
-LinearDerivation linear_derivation(const Program& program, const Force& force, const Values& given = {}, int substeps = 1);
+LinearDerivation linear_derivation(const Program& program, const Force& force, const Values& given = {},
+                                   int substeps = 1);
 
 }  // namespace shortfall

@@ -9,12 +9,14 @@ namespace {
 
 const Expr kT = name("t");
 
-/// The polynomial p with p'' + c p' + k p = t^d, as coefficients of t^0, t^1, ...; the free constant (k = 0) is 0.
+/// The polynomial p with p'' + c p' + k p = t^d, as coefficients of t^0, t^1, ...; the free constant (k = 0)
+/// is 0.
 std::vector<Fraction> particular_polynomial(int d, const Fraction& k, const Fraction& c) {
   const int lift = k.is_zero() ? (c.is_zero() ? 2 : 1) : 0;
   std::vector<Fraction> p(d + lift + 1);
   for (int j = d; j >= 0; --j) {
-    // The coefficient of t^j: (j+2)(j+1) p_{j+2} + c (j+1) p_{j+1} + k p_j = [j = d]; solve for the highest p that is still unknown.
+    // The coefficient of t^j: (j+2)(j+1) p_{j+2} + c (j+1) p_{j+1} + k p_j = [j = d]; solve for the highest p
+    // that is still unknown.
     const auto at = [&](int i) { return i < static_cast<int>(p.size()) ? p[i] : Fraction(); };
     Fraction rest = j == d ? 1 : 0;
     if (lift == 0)
@@ -35,11 +37,14 @@ std::vector<Fraction> derivative(const std::vector<Fraction>& p) {
 
 Fraction as_fraction(const std::vector<Fraction>& p) {
   Fraction total;
-  for (std::size_t j = 0; j < p.size(); ++j) total += p[j] * Fraction::letter(kTimeLetter).pow(static_cast<int>(j));
+  for (std::size_t j = 0; j < p.size(); ++j)
+    total += p[j] * Fraction::letter(kTimeLetter).pow(static_cast<int>(j));
   return total;
 }
 
-Expr first(const std::vector<Fraction>& p, const Wording& w) { return p.empty() ? number(0) : formula(p[0], w); }
+Expr first(const std::vector<Fraction>& p, const Wording& w) {
+  return p.empty() ? number(0) : formula(p[0], w);
+}
 
 /// weight * vector * factor, left out when the weight is 0.
 Expr product(const Expr& weight, const Expr& vector, const Expr& factor) {
@@ -65,16 +70,20 @@ Fundamental fundamental(const Force& force, const Wording& w, LinearFlow& flow) 
   const Expr sine = call("sin", {omega * kT});
   if (!force.damper) {
     flow.definitions.push_back({frequency, call("sqrt", {k}), "angular frequency"});
-    flow.condition = "k > 0 (for k < 0 the physics itself runs away: w is imaginary, cos and sin become cosh and sinh)";
+    flow.condition =
+        "k > 0 (for k < 0 the physics itself runs away: w is imaginary, cos and sin become cosh and sinh)";
     return {cosine, sine / omega, negate(omega * sine), cosine};
   }
-  flow.definitions.push_back({frequency, call("sqrt", {k - power(c, 2) / number(4)}), "angular frequency of the damped oscillation"});
+  flow.definitions.push_back({frequency, call("sqrt", {k - power(c, 2) / number(4)}),
+                              "angular frequency of the damped oscillation"});
   flow.condition =
-      "k > c^2/4, underdamped (for k < c^2/4 wd is imaginary, cos and sin become cosh and sinh; at k = c^2/4 exactly, critical damping, "
+      "k > c^2/4, underdamped (for k < c^2/4 wd is imaginary, cos and sin become cosh and sinh; at k = c^2/4 "
+      "exactly, critical damping, "
       "cos becomes 1 and sin(wd t)/wd becomes t)";
   const Expr decay = call("exp", {negate(c / number(2)) * kT});
   const Expr half = c / number(2);
-  return {decay * (cosine + half * sine / omega), decay * sine / omega, negate(k * decay * sine / omega), decay * (cosine - half * sine / omega)};
+  return {decay * (cosine + half * sine / omega), decay * sine / omega, negate(k * decay * sine / omega),
+          decay * (cosine - half * sine / omega)};
 }
 
 }  // namespace
@@ -96,7 +105,8 @@ LinearFlow linear_flow(const Force& force, const std::vector<std::string>& lette
     // The particular motion minus the free one that has the same beginning.
     x = joined(x, formula(as_fraction(p), letter, w));
     v = joined(v, formula(as_fraction(rate), letter, w));
-    for (const auto& [begin, cosine, sine] : {std::tuple{first(p, w), f.cosine, f.cosine_rate}, {first(rate, w), f.sine, f.sine_rate}}) {
+    for (const auto& [begin, cosine, sine] :
+         {std::tuple{first(p, w), f.cosine, f.cosine_rate}, {first(rate, w), f.sine, f.sine_rate}}) {
       x = x - product(begin, letter, cosine);
       v = v - product(begin, letter, sine);
     }

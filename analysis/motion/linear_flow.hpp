@@ -23,8 +23,8 @@ struct LinearFlow {
   std::vector<Definition> definitions;  ///< w = sqrt(k), or wd = sqrt(k - c^2/4)
   Expr position;                        ///< x(t) in x0, v0, f0.., t, k, c, w
   Expr velocity;
-  Expr cosine;  ///< C(t): the motion from x0 = 1, v0 = 0 without other forces
-  Expr sine;    ///< S(t): the motion from x0 = 0, v0 = 1
+  Expr cosine;            ///< C(t): the motion from x0 = 1, v0 = 0 without other forces
+  Expr sine;              ///< S(t): the motion from x0 = 0, v0 = 1
   std::string condition;  ///< for which values the formula is real: "k > c^2/4 (underdamped)"
 };
 

@@ -66,7 +66,7 @@ class Checker {
   }
 
   void refuse_taken(const Names& names, const std::string& name, Place place) const {
-    if (name == "a" || name == "n")
+    if (name == "a" || name == "n" || is_of_formulas(name))
       throw source_.error(place, "'" + name + "' has a meaning of its own; choose another name");
     if (names.known.contains(name)) throw source_.error(place, "the name '" + name + "' is already taken");
   }

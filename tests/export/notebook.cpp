@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "notebooks-export/notebook.hpp"
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/program/catalogue.hpp"
+#include "analysis/program/parse.hpp"
+
+namespace shortfall {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder that goes away with the test.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "shortfall-notebooks-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Folder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+  }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+struct Outcome {
+  int code = -1;
+  std::string output;
+};
+
+Outcome run(const std::string& command) {
+  Outcome outcome;
+  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::array<char, 4096> block;
+  for (std::size_t size; (size = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
+    outcome.output.append(block.data(), size);
+  const int status = pclose(pipe);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  return outcome;
+}
+
+/// A virtual environment's Python, otherwise the system's, whatever a version manager puts first; "" when
+/// there is none.
+std::string python() {
+  std::vector<std::string> candidates{"/usr/bin/python3", "python3"};
+  if (const char* venv = std::getenv("VIRTUAL_ENV"))
+    candidates.insert(candidates.begin(), std::string(venv) + "/bin/python3");
+  for (const std::string& candidate : candidates)
+    if (run("'" + candidate + "' -c 'import fractions'").code == 0) return candidate;
+  return "";
+}
+
+/// Runs notebooks as tests/export/run_notebook.py says.
+Outcome run_notebooks(const std::string& python, const std::string& files) {
+  return run("'" + python + "' '" SHORTFALL_SOURCE_DIR "/tests/export/run_notebook.py' " + files);
+}
+
+std::string exported(const Program& program, int degree, const Values& given = {}, int substeps = 1) {
+  const Derivation d = derivation(program, degree, given, substeps);
+  CHECK(d.proved());
+  return notebook(program, given, d, correction_kit(d));
+}
+
+std::string exported(const std::string& name, int degree, const Values& given = {}, int substeps = 1) {
+  return exported(find_integrator(name), degree, given, substeps);
+}
+
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  const std::size_t at = text.find(from);
+  REQUIRE(at != std::string::npos);
+  return text.replace(at, from.size(), to);
+}
+
+/// What is awkward to write in Python: its words as names, whole numbers, substeps, a stage
+/// of several unknowns, a start that takes a while to be forgotten.
+constexpr const char* kAwkward = R"(# A_B *c* $x$ `d` <e> [f]
+integrator awkward
+  source Nobody & <b>Nobody</b> (1999), On $n$
+  param  lambda = 2
+  param  class = 1/lambda
+  param  many = 2
+  param  n2 : 1/T = 0
+  state  print : L/T^2
+  state  y : L
+
+start
+  print = 0
+  y = 0*x
+
+step
+  for = 3/4 - 2^-1
+  def = h/2*a(x, v, t) + 0*print
+  substeps many {
+    solve in : L/T^2 = a(x + h^2*is*0, v, t + h) & is : L/T^2 = in/lambda + class*a(x, v, t)*0
+    v = v + h/2*in + for*h*lambda*in*class + h*(in - is*lambda)
+    x = x + h*v/1 + 0*def*h
+  }
+  x = x + n2*h*(y - y)
+  y = x
+  print = a(x, v, t + h)
+)";
+
+TEST_CASE("every notebook's cells run and their assertions hold") {
+  const std::string interpreter = python();
+  if (interpreter.empty()) {
+    MESSAGE("python3 is not installed: notebooks are written, but not run");
+  }
+  const Folder folder;
+  const auto add = [&](const std::string& name, const std::string& text) {
+    folder.write(name + ".ipynb", text);
+  };
+  for (const Program& program : catalogue())
+    for (const int degree : {0, 2})
+      add(program.name + "-" + std::to_string(degree), exported(program, degree));
+  add("newmark-given", exported("newmark", 1, {{"beta", Rational(1, 6)}}));
+  add("newmark-all-given", exported("newmark", 2, {{"beta", Rational(1, 6)}, {"gamma", Rational(3, 5)}}));
+  add("generalised-alpha-given", exported("generalised-alpha", 1, {{"rho", Rational(1, 2)}}));
+  add("substeps-constant", exported("symplectic-euler", 0, {}, 4));
+  add("substeps-cubic", exported("symplectic-euler", 3, {}, 4));
+  add("substeps-start-and-finish", exported("leapfrog", 1, {}, 4));
+  add("substeps-multistep", exported("beeman", 2, {}, 3));
+  add("awkward", exported(parse(kAwkward, "awkward.integrator"), 1));
+  if (interpreter.empty()) return;
+  const Outcome outcome = run_notebooks(interpreter, "'" + folder.path().string() + "'/*.ipynb");
+  INFO(outcome.output);
+  CHECK(outcome.code == 0);
+}
+
+TEST_CASE("a notebook fails when one coefficient of its formulas is wrong") {
+  const std::string interpreter = python();
+  if (interpreter.empty()) {
+    MESSAGE("python3 is not installed: not run");
+    return;
+  }
+  const std::string right = exported("symplectic-euler", 0);
+  const std::vector<std::pair<std::string, std::string>> mistakes{
+      {"v = v + h * a(x, v, t)", "v = v + h / 2 * a(x, v, t)"},  // the step
+      {"x0 + v0 * t + Fraction(1, 2) * a * t**2\\n",
+       "x0 + v0 * t + Fraction(1, 3) * a * t**2\\n"},  // the true motion
+      {"assert x[n] == x0 + v0 * t + Fraction(1, 2)",
+       "assert x[n] == x0 + v0 * t + Fraction(1, 4)"},  // a line
+      {"\\\"\\\"\\\"x_n in closed form.\\\"\\\"\\\"\\n\",\n    \"    t = n * h\\n\",\n    \"    return x0",
+       "\\\"\\\"\\\"x_n in closed form.\\\"\\\"\\\"\\n\",\n    \"    t = n * h\\n\",\n    \"    return 2 * "
+       "x0"},
+      {"return -Fraction(1, 2) * a * h * t", "return -Fraction(1, 3) * a * h * t"},  // the shortfall
+      {"v = v0 - Fraction(1, 2) * a * h", "v = v0 + Fraction(1, 2) * a * h"},        // a correction
+      {"assert impossible([\\\"force\\\"])", "assert impossible([\\\"launch v\\\", \\\"read v\\\"])"},
+      {"\\\"2.762010199\\\"", "\\\"2.762010198\\\""}};  // the jump
+  const Folder folder;
+  CHECK(run_notebooks(interpreter, "'" + folder.write("right.ipynb", right).string() + "'").code == 0);
+  int number = 0;
+  std::string files;
+  for (const auto& [from, to] : mistakes)
+    files += " '" +
+             folder.write("wrong" + std::to_string(number++) + ".ipynb", replaced(right, from, to)).string() +
+             "'";
+  const Outcome outcome = run_notebooks(interpreter, files);
+  INFO(outcome.output);
+  CHECK(outcome.code == 1);
+  CHECK(outcome.output.find("\n0 notebooks passed, " + std::to_string(mistakes.size()) + " failed") !=
+        std::string::npos);
+}
+
+TEST_CASE("a notebook is also one for Jupyter") {
+  const std::string interpreter = python();
+  if (interpreter.empty()) {
+    MESSAGE("python3 is not installed: not run");
+    return;
+  }
+  const Folder folder;
+  const fs::path file = folder.write("falling-short.ipynb", exported("symplectic-euler", 0));
+  const Outcome outcome = run_notebooks(interpreter, "--jupyter '" + file.string() + "'");
+  INFO(outcome.output);
+  if (outcome.code == 77)
+    MESSAGE("nbformat, nbconvert and ipykernel are not installed: not run in Jupyter");
+  else
+    CHECK(outcome.code == 0);
+}
+
+TEST_CASE("the same question gives the same notebook, byte for byte") {
+  CHECK(exported("newmark", 2) == exported("newmark", 2));
+  CHECK(exported("newmark", 2) != exported("newmark", 1));
+}
+
+TEST_CASE("text of a user's file is shown as it stands, and is no markup") {
+  const auto file = nlohmann::json::parse(exported(parse(kAwkward, "awkward.integrator"), 0));
+  std::string text;
+  for (const auto& line : file["cells"][1]["source"]) text += line.get<std::string>();
+  CHECK(text.find("A\\_B \\*c\\* \\$x\\$ \\`d\\` \\<e\\> \\[f\\].") != std::string::npos);
+  CHECK(text.find("<b>") == std::string::npos);
+}
+
+TEST_CASE("a notebook of a degree that nobody reads is refused") {
+  const Program& program = catalogue().front();
+  const Derivation d = derivation(program, 31, {}, 1, false);
+  CHECK_THROWS_WITH_AS(notebook(program, {}, d, {}),
+                       "a notebook is written for forces of degree up to 30, not 31", Unable);
+}
+
+TEST_CASE("shortfall export writes the notebook, and replaces an older one") {
+  const Folder folder;
+  const std::string file = (folder.path() / "falling-short.ipynb").string();
+  folder.write("falling-short.ipynb", "an older one");
+  const std::string command = "'" SHORTFALL_BINARY "' export symplectic-euler --force constant";
+  const Outcome outcome = run(command + " --notebook -o '" + file + "'");
+  CHECK(outcome.code == 0);
+  CHECK(outcome.output.empty());
+  std::ostringstream written;
+  written << std::ifstream(file, std::ios::binary).rdbuf();
+  CHECK(written.str() == exported("symplectic-euler", 0));
+  CHECK(run(command + " --notebook").output == written.str());
+  CHECK(run(command).code == 2);
+  CHECK(run(command + " --notebook --latex").code == 2);
+  CHECK(run(command + " --notebook -o /nowhere/at/all.ipynb").code == 5);
+  CHECK(run(command + " --latex").output.find("\\begin{align*}") != std::string::npos);
+  CHECK(run("'" SHORTFALL_BINARY "' export symplectic-euler --force poly:31 --notebook").code == 4);
+}
+
+}  // namespace
+}  // namespace shortfall
