@@ -19,7 +19,7 @@ int export_derivation(const Question& q, bool as_notebook) {
   if (degree > kHighestNotebookDegree)
     throw Unable("derivations are written out for forces of degree up to " +
                  std::to_string(kHighestNotebookDegree) + ", not " + std::to_string(degree) +
-                 "; derive has no such limit");
+                 "; derive goes up to degree 200");
   const Program program = q.program();
   const Values values = q.values();
   const Derivation d = derivation(program, degree, values, q.substeps);

@@ -47,7 +47,7 @@ const CorrectionOption* CorrectionKit::best() const {
 CorrectionKit correction_kit(const Derivation& d) {
   if (d.degree > kHighestDegree)
     throw Unable("correction kits are solved for up to degree " + std::to_string(kHighestDegree) +
-                 "; the closed form itself has no such limit");
+                 "; the closed form goes up to degree 200");
   CorrectionKit kit;
   kit.needed = !is_zero(d.shortfall_position_motion) || !is_zero(d.shortfall_velocity_motion);
   if (!kit.needed) return kit;

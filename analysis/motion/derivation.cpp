@@ -14,6 +14,7 @@ namespace shortfall {
 namespace {
 
 constexpr int kHighestDegree = 1000;
+constexpr int kHighestProved = 200;  // about ten seconds for a method without parameters
 
 /// Steps random rational numbers and holds the closed form against them: no letters, no linear forms, another
 /// interpreter's problem.
@@ -83,6 +84,9 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
   if (degree < 0 || degree > kHighestDegree)
     throw BadInput("the degree of a force polynomial is a whole number from 0 to " +
                    std::to_string(kHighestDegree));
+  if (degree > kHighestProved)
+    throw Unable("the closed form is proved for every n by comparing it, letter by letter, at degree + 3 steps, which costs about the cube of "
+                 "the degree; our limit is degree " + std::to_string(kHighestProved));
   const Program stepped_program = substepped(program, substeps);
   const Tape tape = lower(stepped_program, given);
   Derivation d;
