@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "analysis/stability/square_matrix.hpp"
-#include "analysis/stability/sturm.hpp"
+#include "analysis/algebra/sturm.hpp"
 
 namespace shortfall {
 

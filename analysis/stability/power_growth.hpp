@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/algebra/rational.hpp"
-#include "analysis/stability/algebraic.hpp"
+#include "analysis/algebra/algebraic.hpp"
 
 namespace shortfall {
 

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "analysis/program/expression.hpp"
-#include "analysis/stability/real_roots.hpp"
+#include "analysis/algebra/real_roots.hpp"
 
 namespace shortfall {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "analysis/stability/univariate.hpp"
+#include "analysis/algebra/univariate.hpp"
 
 namespace shortfall {
 

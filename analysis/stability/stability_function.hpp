@@ -5,7 +5,7 @@
 
 #include "analysis/program/program.hpp"
 #include "analysis/program/tape.hpp"
-#include "analysis/stability/real_roots.hpp"
+#include "analysis/algebra/real_roots.hpp"
 #include "analysis/stability/windows.hpp"
 
 namespace shortfall {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/stability/real_roots.hpp"
+#include "analysis/algebra/real_roots.hpp"
 
 #include <algorithm>
 
-#include "analysis/stability/sturm.hpp"
+#include "analysis/algebra/sturm.hpp"
 
 namespace shortfall {
 

@@ -4,7 +4,7 @@
 #include <concepts>
 #include <memory>
 
-#include "analysis/stability/real_roots.hpp"
+#include "analysis/algebra/real_roots.hpp"
 
 namespace shortfall {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "analysis/stability/algebraic.hpp"
+#include "analysis/algebra/algebraic.hpp"
 
 #include <algorithm>
 

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "analysis/stability/univariate.hpp"
+#include "analysis/algebra/univariate.hpp"
 
 namespace shortfall {
 

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "analysis/algebra/polynomial.hpp"
-#include "analysis/stability/univariate.hpp"
+#include "analysis/algebra/univariate.hpp"
 
 namespace shortfall {
 
