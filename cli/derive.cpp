@@ -3,9 +3,11 @@
 
 #include <nlohmann/json.hpp>
 
+#include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit.hpp"
 #include "analysis/correction/linear_kit.hpp"
 #include "cli/command.hpp"
+#include "cli/derive_numbers.hpp"
 #include "cli/force.hpp"
 #include "cli/output.hpp"
 #include "notebooks-export/linear_text.hpp"
@@ -33,7 +35,12 @@ int derive_linear(const Question& q, const Force& force) {
 }
 
 int derive(const Question& q) {
-  if (const Force force = force_named(q.force); force.linear()) return derive_linear(q, force);
+  const Force force = force_named(q.force);
+  if (!force.push.empty())
+    throw BadInput(
+        "--force '" + q.force.substr(0, 60) +
+        "': formulas keep the letters of the force polynomial; a number for them goes with --steps");
+  if (force.linear()) return derive_linear(q, force);
   const int degree = force_degree(q.force);
   const Derivation d =
       derivation(q.program(), degree, q.values(), q.substeps, degree <= kHighestWithDerivation);
@@ -60,16 +67,19 @@ void add_derive(CLI::App& app, int& code) {
       "The exact motion after n steps, its shortfall, the corrections, with proofs.",
       {"derive symplectic-euler --force constant", "derive my-own.integrator --force poly:3 --latex",
        "derive newmark --force poly:1 --param beta=1/6", "derive velocity-verlet --force spring",
-       "derive symplectic-euler --substeps 4 --json"});
+       "derive symplectic-euler --substeps 4 --json",
+       "derive velocity-verlet --force spring:k=1 --dt 1/10 --steps 1e18 --x0 1"});
+  auto o = std::make_shared<NumbersOptions>();
   auto q = std::make_shared<Question>();
   add_integrator(*command, *q);
   add_force(*command, *q);
   add_parameters(*command, *q);
+  add_numbers(*command, *q, *o);
   add_json(*command, *q);
   command->add_flag("--latex", q->latex, "the derivation as LaTeX (amsmath)");
   add_ascii(*command, *q);
   add_output(*command, *q);
-  command->callback([q, &code] { code = derive(*q); });
+  command->callback([q, o, &code] { code = o->wanted() ? derive_numbers(*q, *o) : derive(*q); });
 }
 
 }  // namespace shortfall::cli

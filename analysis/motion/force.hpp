@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,11 +12,12 @@ namespace shortfall {
 
 /// The accelerations for which motions are known exactly: f0 + f1 t + ... + fD t^D - k x - c v.
 struct Force {
-  int degree = 0;             ///< D; -1 when nothing depends on time alone
-  bool spring = false;        ///< - k x
-  bool damper = false;        ///< - c v
-  std::optional<Rational> k;  ///< 1/s^2; a letter when not given
-  std::optional<Rational> c;  ///< 1/s; a letter when not given
+  int degree = 0;                ///< D; -1 when nothing depends on time alone
+  bool spring = false;           ///< - k x
+  bool damper = false;           ///< - c v
+  std::optional<Rational> k;     ///< 1/s^2; a letter when not given
+  std::optional<Rational> c;     ///< 1/s; a letter when not given
+  std::map<int, Rational> push;  ///< f0 (= a), f1, ... as far as they are given as numbers
   std::string text = "constant";
 
   bool linear() const { return spring || damper; }
@@ -24,7 +26,7 @@ struct Force {
 };
 
 /// The force that a user means: constant, poly:D, spring, damped-spring, drag (a - c v), and sums such as
-/// constant+spring; spring:k=4 and damped-spring:k=4,c=1/2 fix letters.
+/// constant+spring; spring:k=4, damped-spring:k=4,c=1/2, constant:a=-9.81 and poly:1:f0=1,f1=2 fix letters.
 ///
 /// throws  BadInput  with a suggestion; k and c given as 0 mean that there is none
 Force force_named(std::string_view text);

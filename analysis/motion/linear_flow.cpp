@@ -9,26 +9,6 @@ namespace {
 
 const Expr kT = name("t");
 
-/// The polynomial p with p'' + c p' + k p = t^d, as coefficients of t^0, t^1, ...; the free constant (k = 0)
-/// is 0.
-std::vector<Fraction> particular_polynomial(int d, const Fraction& k, const Fraction& c) {
-  const int lift = k.is_zero() ? (c.is_zero() ? 2 : 1) : 0;
-  std::vector<Fraction> p(d + lift + 1);
-  for (int j = d; j >= 0; --j) {
-    // The coefficient of t^j: (j+2)(j+1) p_{j+2} + c (j+1) p_{j+1} + k p_j = [j = d]; solve for the highest p
-    // that is still unknown.
-    const auto at = [&](int i) { return i < static_cast<int>(p.size()) ? p[i] : Fraction(); };
-    Fraction rest = j == d ? 1 : 0;
-    if (lift == 0)
-      p[j] = (rest - Fraction((j + 2) * (j + 1)) * at(j + 2) - c * Fraction(j + 1) * at(j + 1)) / k;
-    else if (lift == 1)
-      p[j + 1] = (rest - Fraction((j + 2) * (j + 1)) * at(j + 2)) / (c * Fraction(j + 1));
-    else
-      p[j + 2] = rest / Fraction((j + 2) * (j + 1));
-  }
-  return p;
-}
-
 std::vector<Fraction> derivative(const std::vector<Fraction>& p) {
   std::vector<Fraction> result;
   for (std::size_t j = 1; j < p.size(); ++j) result.push_back(p[j] * Fraction(static_cast<int>(j)));
@@ -87,6 +67,24 @@ Fundamental fundamental(const Force& force, const Wording& w, LinearFlow& flow) 
 }
 
 }  // namespace
+
+std::vector<Fraction> particular_polynomial(int d, const Fraction& k, const Fraction& c) {
+  const int lift = k.is_zero() ? (c.is_zero() ? 2 : 1) : 0;
+  std::vector<Fraction> p(d + lift + 1);
+  for (int j = d; j >= 0; --j) {
+    // The coefficient of t^j: (j+2)(j+1) p_{j+2} + c (j+1) p_{j+1} + k p_j = [j = d]; solve for the highest p
+    // that is still unknown.
+    const auto at = [&](int i) { return i < static_cast<int>(p.size()) ? p[i] : Fraction(); };
+    Fraction rest = j == d ? 1 : 0;
+    if (lift == 0)
+      p[j] = (rest - Fraction((j + 2) * (j + 1)) * at(j + 2) - c * Fraction(j + 1) * at(j + 1)) / k;
+    else if (lift == 1)
+      p[j + 1] = (rest - Fraction((j + 2) * (j + 1)) * at(j + 2)) / (c * Fraction(j + 1));
+    else
+      p[j + 2] = rest / Fraction((j + 2) * (j + 1));
+  }
+  return p;
+}
 
 LinearFlow linear_flow(const Force& force, const std::vector<std::string>& letters) {
   LinearFlow flow;

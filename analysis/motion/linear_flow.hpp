@@ -28,6 +28,10 @@ struct LinearFlow {
   std::string condition;  ///< for which values the formula is real: "k > c^2/4 (underdamped)"
 };
 
+/// The polynomial p with p'' + c p' + k p = t^d, as coefficients of t^0, t^1, ...; a free constant (k = 0) is
+/// 0.
+std::vector<Fraction> particular_polynomial(int d, const Fraction& k, const Fraction& c);
+
 /// param   parameters  names of the integrator's letters, which must not be taken for w
 LinearFlow linear_flow(const Force& force, const std::vector<std::string>& letters);
 

@@ -14,13 +14,12 @@ std::vector<std::vector<Fraction>> StepMap::matrix() const {
   return m;
 }
 
-StepMap step_map(const Tape& tape, int degree, Fraction stiffness, Fraction damping) {
+StepMap step_map(const Tape& tape, int degree, Fraction stiffness, Fraction damping, const Fraction& h) {
   StepMap map;
   map.letters = letter_names(tape);
   map.states = tape.states;
   const int states = static_cast<int>(tape.states.size());
   map.force = {states, degree, std::move(stiffness), std::move(damping)};
-  const Fraction h = Fraction::letter(kStepLetter);
   Run<LinearForce> run(tape, map.force, h);
 
   run.begin(LinearForm::column(0), LinearForm::column(1), 0);

@@ -27,8 +27,10 @@ struct StepMap {
   std::vector<std::vector<Fraction>> matrix() const;
 };
 
+/// param   h  the step: its letter, or a number
 /// throws  Undefined  when a stage is singular; Unable when there are too many free parameters
-StepMap step_map(const Tape& tape, int degree, Fraction stiffness = {}, Fraction damping = {});
+StepMap step_map(const Tape& tape, int degree, Fraction stiffness = {}, Fraction damping = {},
+                 const Fraction& h = Fraction::letter(kStepLetter));
 
 /// The carried vectors after 0..steps steps, by stepping in letters: what a closed form is held against.
 ///

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// The one place that includes Arb: a library of its own beside FLINT 2.9 (Debian 12), a part of FLINT 3
+// (Debian 13, Ubuntu 24.04).
+
+#include <gmpxx.h>
+#if __has_include(<flint/arb.h>)
+#include <flint/arb.h>
+#include <flint/fmpq.h>
+#else
+#include <arb.h>
+#include <flint/fmpq.h>
+#endif
+
+// FLINT 2.9 defines ulong as a macro.
+#ifdef ulong
+#undef ulong
+#endif

@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/motion/numeric_motion.hpp"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/motion/ball_flow.hpp"
+#include "analysis/motion/linear_flow.hpp"
+#include "analysis/motion/step_map.hpp"
+#include "analysis/program/transform.hpp"
+
+namespace shortfall {
+
+namespace {
+
+constexpr int kMostBits = 1 << 16;
+constexpr std::size_t kLongestExact = 300;  // digits: beyond, balls are faster, and nobody reads them
+constexpr int kHighestDegree = 30;           // of a force polynomial: the matrix grows with it
+
+template <class T>
+using Rows = std::vector<std::vector<T>>;
+
+std::vector<int> binary_digits(Rational n) {  // lowest first
+  std::vector<int> digits;
+  while (!n.is_zero()) {
+    const Rational half = (n / 2).floor();
+    digits.push_back(n == half * 2 ? 0 : 1);
+    n = half;
+  }
+  return digits;
+}
+
+/// z(n+1) = A z(n) with the powers 1, n, ..., n^D of the step count as further entries, and what is reported
+/// of it.
+class NumericStep {
+ public:
+  NumericStep(const Program& program, const NumericQuestion& q) {
+    const Tape tape = lower(substepped(program, q.substeps), parameter_values(program, q.parameters));
+    const Force& f = q.force;
+    const StepMap map = step_map(tape, f.degree, f.stiffness(), f.damping(), Fraction(q.h));
+    states_ = map.force.states;
+    powers_ = f.degree + 1;
+    const int size = states_ + std::max(powers_, 0);
+    a_.assign(size, std::vector<Rational>(size));
+    for (int i = 0; i < states_; ++i) {
+      fill(a_[i], map.step[i], map, q);
+      start_.push_back(at_start(map.start[i], q));
+    }
+    for (int j = 0; j < powers_; ++j) {
+      for (int i = 0; i <= j; ++i) a_[states_ + j][states_ + i] = binomial(j, i);
+      start_.push_back(j == 0 ? 1 : 0);
+    }
+    for (const LinearForm* row : {&map.position, &map.velocity}) {
+      report_.emplace_back(size);
+      fill(report_.back(), *row, map, q);
+    }
+  }
+
+  int size() const { return static_cast<int>(a_.size()); }
+
+  /// Exactly; empty when that gets long.
+  std::optional<std::vector<Rational>> exact(const std::vector<int>& digits) const {
+    Rows<Rational> power = a_;
+    std::vector<Rational> z = start_;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+      if (digits[i]) z = times(power, z);
+      if (i + 1 < digits.size()) power = times(power, power);
+      for (const auto& row : power)
+        if (std::ranges::any_of(row, [](const Rational& r) { return r.digits() > kLongestExact; })) return {};
+      if (std::ranges::any_of(z, [](const Rational& r) { return r.digits() > kLongestExact; })) return {};
+    }
+    return std::vector{dot(report_[0], z), dot(report_[1], z)};
+  }
+
+  std::vector<Ball> balls(const std::vector<int>& digits, int bits) const {
+    Rows<Ball> power;
+    for (const auto& row : a_) power.push_back(converted(row, bits));
+    std::vector<Ball> z = converted(start_, bits);
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+      if (digits[i]) z = times(power, z);
+      if (i + 1 < digits.size()) power = times(power, power);
+    }
+    return {dot(converted(report_[0], bits), z), dot(converted(report_[1], bits), z)};
+  }
+
+  /// The value of what does not move at all: a sequence that satisfies a recurrence of the matrix's order and
+  /// has so many equal values (and one more) is constant.
+  std::array<std::optional<Rational>, 2> constants() const {
+    std::array<std::optional<Rational>, 2> result;
+    std::vector<Rational> z = start_;
+    for (int i : {0, 1}) result[i] = dot(report_[i], z);
+    for (int n = 0; n <= size(); ++n) {
+      z = times(a_, z);
+      for (int i : {0, 1})
+        if (result[i] && !(dot(report_[i], z) == *result[i])) result[i].reset();
+      if (!result[0] && !result[1]) break;
+    }
+    return result;
+  }
+
+ private:
+  static Rational number(const Fraction& f) {
+    if (!f.is_constant())
+      throw Unable("the coefficients of the step depend on t, so its n-step map is no power of a matrix");
+    return f.constant();
+  }
+
+  /// Coefficients of the carried vectors, then of the powers of n.
+  void fill(std::vector<Rational>& row, const LinearForm& form, const StepMap& map,
+            const NumericQuestion& q) const {
+    for (int j = 0; j < states_; ++j) row[j] = number(form[j]);
+    for (int d = 0; d < powers_; ++d) {
+      const Fraction& f = form[map.force.force_column(d)];
+      const Rational weight = f.is_zero() ? Rational() : q.force.push.at(d) / number(f.denominator());
+      for (int j = 0; j <= f.numerator().degree(kCount); ++j)
+        row[states_ + j] += weight * number(f.numerator().coefficient(kCount, j));
+    }
+  }
+
+  Rational at_start(const LinearForm& form, const NumericQuestion& q) const {
+    Rational total = number(form[0]) * q.x0 + number(form[1]) * q.v0;
+    for (int d = 0; d < powers_; ++d)
+      if (!form[states_ + d].is_zero()) total += number(form[states_ + d]) * q.force.push.at(d);
+    return total;
+  }
+
+  static std::vector<Ball> converted(const std::vector<Rational>& row, int bits) {
+    std::vector<Ball> result;
+    for (const Rational& r : row) result.emplace_back(r, bits);
+    return result;
+  }
+
+  static void accumulate(Rational& sum, const Rational& a, const Rational& b) { sum += a * b; }
+  static void accumulate(Ball& sum, const Ball& a, const Ball& b) { sum.add_product(a, b); }
+
+  template <class T>
+  static T dot(const std::vector<T>& a, const std::vector<T>& b) {
+    T sum;
+    for (std::size_t i = 0; i < a.size(); ++i)
+      if (!a[i].is_zero() && !b[i].is_zero()) accumulate(sum, a[i], b[i]);
+    return sum;
+  }
+
+  template <class T>
+  static std::vector<T> times(const Rows<T>& a, const std::vector<T>& z) {
+    std::vector<T> result;
+    for (const auto& row : a) result.push_back(dot(row, z));
+    return result;
+  }
+
+  template <class T>
+  static Rows<T> times(const Rows<T>& a, const Rows<T>& b) {
+    Rows<T> result(a.size(), std::vector<T>(a.size()));
+    for (std::size_t i = 0; i < a.size(); ++i)
+      for (std::size_t k = 0; k < a.size(); ++k) {
+        if (a[i][k].is_zero()) continue;
+        for (std::size_t j = 0; j < a.size(); ++j)
+          if (!b[k][j].is_zero()) accumulate(result[i][j], a[i][k], b[k][j]);
+      }
+    return result;
+  }
+
+  int states_ = 0;
+  int powers_ = 0;
+  Rows<Rational> a_;
+  std::vector<Rational> start_;
+  Rows<Rational> report_;
+};
+
+/// The true motion: a polynomial in t, and what is free about it.
+class NumericFlow {
+ public:
+  NumericFlow(const NumericQuestion& q, const Rational& t)
+      : k_(q.force.stiffness().constant()), c_(q.force.damping().constant()), t_(t) {
+    Rational begin, rate;
+    for (int d = 0; d <= q.force.degree; ++d) {
+      const std::vector<Fraction> p = particular_polynomial(d, k_, c_);
+      const Rational& f = q.force.push.at(d);
+      Rational x, v;
+      for (std::size_t j = p.size(); j-- > 0;) {
+        v = v * t + x;
+        x = x * t + p[j].constant();
+      }
+      position_ += f * x;
+      velocity_ += f * v;
+      if (!p.empty()) begin += f * p[0].constant();
+      if (p.size() > 1) rate += f * p[1].constant();
+    }
+    free_x_ = q.x0 - begin;
+    free_v_ = q.v0 - rate;
+  }
+
+  std::array<std::optional<Rational>, 2> exact() const {
+    if (k_.is_zero() && (c_.is_zero() || free_v_.is_zero()))
+      return {position_ + free_x_ + free_v_ * t_, velocity_ + free_v_};
+    if ((free_x_.is_zero() && free_v_.is_zero()) || t_.is_zero())
+      return {position_ + free_x_, velocity_ + free_v_};
+    return {};
+  }
+
+  std::array<Ball, 2> balls(int bits) const {
+    const BallFlow f = ball_flow(k_, c_, t_, bits);
+    const Ball x(free_x_, bits), v(free_v_, bits);
+    return {Ball(position_, bits) + x * f.cosine + v * f.sine,
+            Ball(velocity_, bits) + x * f.cosine_rate + v * f.sine_rate};
+  }
+
+ private:
+  Rational k_, c_, t_;
+  Rational position_, velocity_;  // of the polynomial
+  Rational free_x_, free_v_;      // first values of the rest
+};
+
+void check(const NumericQuestion& q) {
+  if (!q.steps.is_integer() || q.steps.sign() < 0 || q.steps > Rational(10).pow(100))
+    throw BadInput("a number of steps is whole and from 0 to 10^100");
+  const auto need = [](bool there, const std::string& letter) {
+    if (!there)
+      throw BadInput("numbers after n steps need a number for " + letter +
+                     ", as in spring:k=4, drag:c=1/2 or constant:a=3");
+  };
+  need(!q.force.spring || q.force.k, "k");
+  need(!q.force.damper || q.force.c, "c");
+  for (int d = 0; d <= q.force.degree; ++d)
+    need(q.force.push.contains(d), q.force.degree == 0 ? "a" : "f" + std::to_string(d));
+  if (q.force.degree > kHighestDegree)
+    throw Unable("numbers after n steps are given for forces up to poly:30");
+}
+
+/// Whether the number is decided at this precision; if so, how it is shown.
+bool settle(CertainNumber& number, int digits) {
+  if (number.exact && number.exact->digits() > kLongestExact) number.exact.reset();
+  number.decimal = number.exact ? number.exact->significant(digits) : number.ball.significant(digits);
+  return number.decimal.has_value();
+}
+
+int size_in_bits(const Rational& r) { return static_cast<int>(r.digits() * 10 / 3) + 1; }
+
+}  // namespace
+
+NumericMotion numeric_motion(const Program& program, const NumericQuestion& q) {
+  check(q);
+  const NumericStep step(program, q);
+  const std::vector<int> digits = binary_digits(q.steps);
+  NumericMotion m;
+  m.time = q.steps * q.h;
+  m.states = step.size();
+  const NumericFlow flow(q, m.time);
+
+  if (const auto both = step.exact(digits)) {
+    m.position.exact = (*both)[0];
+    m.velocity.exact = (*both)[1];
+  } else {
+    const auto still = step.constants();
+    m.position.exact = still[0];
+    m.velocity.exact = still[1];
+  }
+  const auto truth = flow.exact();
+  m.exact_position.exact = truth[0];
+  m.exact_velocity.exact = truth[1];
+  for (const auto& [shortfall, exact, computed] :
+       {std::tuple{&m.position_shortfall, &m.exact_position, &m.position},
+        {&m.velocity_shortfall, &m.exact_velocity, &m.velocity}})
+    if (exact->exact && computed->exact) shortfall->exact = *exact->exact - *computed->exact;
+
+  // A power loses about as many bits as n has, a long time as many as t has.
+  for (m.bits = 4 * q.digits + 64 + 3 * static_cast<int>(digits.size()) + size_in_bits(m.time);;
+       m.bits *= 2) {
+    const auto computed = step.balls(digits, m.bits);
+    const auto [x, v] = flow.balls(m.bits);
+    const auto sharp = [&](const CertainNumber& number, const Ball& ball) {
+      return number.exact ? Ball(*number.exact, m.bits) : ball;
+    };
+    m.position.ball = sharp(m.position, computed[0]);
+    m.velocity.ball = sharp(m.velocity, computed[1]);
+    m.exact_position.ball = sharp(m.exact_position, x);
+    m.exact_velocity.ball = sharp(m.exact_velocity, v);
+    m.position_shortfall.ball = sharp(m.position_shortfall, m.exact_position.ball - m.position.ball);
+    m.velocity_shortfall.ball = sharp(m.velocity_shortfall, m.exact_velocity.ball - m.velocity.ball);
+    bool settled = true;
+    for (CertainNumber* number : {&m.position, &m.velocity, &m.exact_position, &m.exact_velocity,
+                                  &m.position_shortfall, &m.velocity_shortfall})
+      settled = settle(*number, q.digits) && settled;
+    if (settled || m.bits > kMostBits) return m;
+  }
+}
+
+}  // namespace shortfall
