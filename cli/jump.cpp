@@ -7,6 +7,7 @@
 #include "analysis/correction/jump.hpp"
 #include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
+#include "cli/jump_frames.hpp"
 #include "cli/jump_render.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
@@ -19,6 +20,7 @@ namespace {
 struct JumpOptions : Question {
   std::string height;
   std::string language;
+  FrameOptions frames;
 };
 
 /// The unit in which the user gave the height; empty for a bare number.
@@ -38,11 +40,42 @@ Language language_of(const std::string& word) {
                  did_you_mean(word, language_names()));
 }
 
+/// `jump --dt-file`: the frames are listed in a file.
+void jump_over_frames(const JumpOptions& o, const std::vector<Rational>& heights) {
+  if (heights.size() != 1) throw BadInput("--dt-file takes one --height, no sweep");
+  const Program program = o.program();
+  const ListedJump listed = listed_jump(program, o.frames,
+                                        {.height = heights.front(),
+                                         .steps = {},
+                                         .g = o.gravity(),
+                                         .substeps = o.substeps,
+                                         .parameters = o.values(),
+                                         .fixed_dt = o.step()});
+  if (!o.language.empty()) {
+    const auto& term = listed.jump.term;
+    if (!term && listed.jump.exactness.exact != true)
+      throw Undefined("there is no term that makes every step exact, and so no code for it: " +
+                      listed.jump.no_term);
+    const Flight flight = term ? Flight(term->program, o.step(), 1, o.values())
+                               : Flight(program, o.step(), o.substeps, o.values());
+    write_output(jump_code(flight, o.gravity(), language_of(o.language)), o.output);
+  } else if (o.json) {
+    write_output(frames_json(listed).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
+                 o.output);
+  } else {
+    write_output(o.csv ? frames_csv(listed.jump) : frames_text(listed, {unit_of(o.height), o.ascii}),
+                 o.output);
+  }
+}
+
 void jump(const JumpOptions& o) {
-  if (o.height.empty() && o.language.empty())
+  const bool listed = !o.frames.file.empty();
+  if (o.height.empty() && (listed || o.language.empty()))
     throw BadInput("--height is required, as in: shortfall jump --height 40cm");
+  if (o.frames.repeat && !listed) throw BadInput("--repeat goes with --dt-file");
   std::vector<Rational> heights;
   if (!o.height.empty()) heights = sweep(o.height, Unit::length, "--height");
+  if (listed) return jump_over_frames(o, heights);
   const Rational g = o.gravity();
   const Flight flight(o.program(), o.step(), o.substeps, o.values());
   if (!o.language.empty()) {
@@ -69,12 +102,18 @@ void add_jump(CLI::App& app, int&) {
       app, "Start here", "jump", "How far a jump falls short, why, and the launch that makes it right.",
       {"jump --height 40cm --dt 0.02", "jump velocity-verlet --height 1.7 --dt 50Hz --json",
        "jump symplectic-euler --height 1.7m --substeps 4", "jump --height 1mm:100m:log:50 --csv",
-       "jump --lang csharp"});
+       "jump --height 1.7 --dt-file frames.csv", "jump --lang csharp"});
   auto o = std::make_shared<JumpOptions>();
   add_integrator(*command, *o);
   command->add_option("--height", o->height, "the height to jump to: 40cm, 1.7, or a sweep 1mm:100m:log:50")
       ->type_name("H");
   add_time_step(*command, *o);
+  command
+      ->add_option("--dt-file", o->frames.file,
+                   "frames of lengths of their own: a column of seconds, or a table with a header such as dt "
+                   "[ms] or time [s]; --dt is then the step of the accumulator that is offered instead")
+      ->type_name("FILE");
+  command->add_flag("--repeat", o->frames.repeat, "begin the list of --dt-file anew when it is over");
   add_gravity(*command, *o);
   add_parameters(*command, *o);
   command
@@ -82,8 +121,9 @@ void add_jump(CLI::App& app, int&) {
                    "the corrected jump as code: csharp, cpp, gdscript, python, rust, javascript")
       ->type_name("L");
   add_json(*command, *o);
-  command->add_flag("--csv", o->csv,
-                    "one line a height, in metres and seconds, decimals rounded to 17 digits");
+  command->add_flag(
+      "--csv", o->csv,
+      "one line a height (with --dt-file a frame), in metres and seconds, decimals rounded to 17 digits");
   add_ascii(*command, *o);
   add_output(*command, *o);
   command->callback([o] { jump(*o); });
