@@ -9,10 +9,11 @@ namespace shortfall {
 
 namespace {
 
-const std::vector<std::string>& value_of(const std::string& name,
+const std::vector<std::string>& value_of(std::string_view name,
                                          const std::map<std::string, std::vector<std::string>>& values) {
-  const auto found = values.find(name);
-  if (found == values.end()) throw Error("a template asks for '" + name + "', which has no value");
+  const auto found = values.find(std::string(name));
+  if (found == values.end())
+    throw Error("a template asks for '" + std::string(name) + "', which has no value");
   return found->second;
 }
 
@@ -32,7 +33,7 @@ std::string filled(std::string_view text, const std::map<std::string, std::vecto
     const std::size_t blank = line.find_first_not_of(" \t/#");
     const std::size_t close = line.find('@', first + 1);
     if (first == blank && close + 2 == line.size()) {
-      for (const std::string& part : value_of(std::string(line.substr(first + 1, close - first - 1)), values))
+      for (const std::string& part : value_of(line.substr(first + 1, close - first - 1), values))
         result += (part.empty() ? "" : std::string(line.substr(0, first)) + part) + "\n";
       continue;
     }
@@ -41,7 +42,7 @@ std::string filled(std::string_view text, const std::map<std::string, std::vecto
       result += line.substr(0, open);
       if (open == std::string_view::npos) break;
       const std::size_t after = line.find('@', open + 1);
-      for (const std::string& part : value_of(std::string(line.substr(open + 1, after - open - 1)), values))
+      for (const std::string& part : value_of(line.substr(open + 1, after - open - 1), values))
         result += part;
       line.remove_prefix(after + 1);
     }

@@ -10,8 +10,10 @@ namespace shortfall {
 
 /// A binary floating-point number of MPFR whose precision is chosen at run time.
 ///
-/// A result has the larger precision of its operands. Expression templates are off: with them x += h*v would
-/// be fused into one rounding. A heavy header: only files that compute with such numbers include it.
+/// A result has the larger precision of its operands; with a newer Boost (1.83, not 1.74) it has no fewer
+/// digits than Precision::current(), so numbers of few digits are computed with inside a Precision of theirs.
+/// Expression templates are off: with them x += h*v would be fused into one rounding. A heavy header: only
+/// files that compute with such numbers include it.
 using Real = boost::multiprecision::number<boost::multiprecision::mpfr_float_backend<0>,
                                            boost::multiprecision::et_off>;
 

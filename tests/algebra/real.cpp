@@ -40,8 +40,10 @@ TEST_CASE("a rational becomes the nearest Real of its precision") {
 }
 
 TEST_CASE("a surd becomes the Real that MPFR's own square root gives") {
-  for (int d = 0; d < 50; ++d)
-    for (int digits : {3, 17, 50, 300}) CHECK(real(Surd::sqrt(d), digits) == sqrt(real(Rational(d), digits)));
+  for (int digits : {3, 17, 50, 300}) {
+    const Precision guard(digits);
+    for (int d = 0; d < 50; ++d) CHECK(real(Surd::sqrt(d), digits) == sqrt(real(Rational(d), digits)));
+  }
 }
 
 TEST_CASE("a result has the larger precision of its operands") {
@@ -49,6 +51,19 @@ TEST_CASE("a result has the larger precision of its operands") {
   CHECK((a + b).precision() == 200);
   CHECK((a * 2).precision() == 100);
   CHECK(sqrt(b).precision() == 200);
+}
+
+TEST_CASE("a result of few digits has its operands' precision or that of the guard") {
+  const Precision guard(50);
+  const Real a = real(Rational(1, 3), 20), b = real(Rational(1, 7), 30);
+  CHECK(a.precision() == 20);
+  for (const Real& result : {Real(a + b), Real(sqrt(b)), Real(b * 2)}) {
+    const bool told = result.precision() == 30 || result.precision() == 50;
+    CHECK(told);
+  }
+  const Precision own(30);
+  CHECK((a + b).precision() == 30);
+  CHECK(sqrt(b).precision() == 30);
 }
 
 TEST_CASE("a precision lasts as long as its guard, exceptions included") {

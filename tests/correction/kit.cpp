@@ -107,7 +107,7 @@ bool repairs(const Program& program, int degree, int substeps, const CorrectionO
   return true;
 }
 
-const CorrectionOption& named(const CorrectionKit& kit, const std::string& name) {
+const CorrectionOption& named(const CorrectionKit& kit, std::string_view name) {
   const auto found = std::ranges::find(kit.options, name, &CorrectionOption::name);
   REQUIRE(found != kit.options.end());
   return *found;

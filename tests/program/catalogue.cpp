@@ -4,6 +4,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 
@@ -76,10 +77,12 @@ TEST_CASE("a path is a path: what cannot be read is refused") {
 }
 
 TEST_CASE("a file of the user is read, an endless one is not read for ever") {
-  const auto file = std::filesystem::temp_directory_path() / "shortfall-test-own.integrator";
+  std::string folder = (std::filesystem::temp_directory_path() / "shortfall-own-XXXXXX").string();
+  REQUIRE(::mkdtemp(folder.data()) != nullptr);
+  const auto file = std::filesystem::path(folder) / "own.integrator";
   std::ofstream(file) << "integrator my-own\nstep\n  x = x + h*v\n";
   CHECK(find_integrator(file.string()).name == "my-own");
-  std::filesystem::remove(file);
+  std::filesystem::remove_all(folder);
   CHECK_THROWS_AS(find_integrator("/dev/zero"), SyntaxError);
   CHECK_THROWS_AS(find_integrator("/dev/null"), SyntaxError);
 }
