@@ -77,6 +77,7 @@ else
 fi
 echo "fresh $suite: bare system after $(($(now) - began)) s"
 
+chmod 755 "$root" # mktemp keeps others out
 mkdir "$root/shortfall"
 git -C "$top" archive HEAD | tar -xf - -C "$root/shortfall"
 cp -L /etc/resolv.conf "$root/etc/resolv.conf"
