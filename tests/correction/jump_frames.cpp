@@ -220,11 +220,30 @@ TEST_CASE("a list may be over while the body rises, or while it falls") {
   CHECK(over(40).top_is_certain);
   CHECK(over(40).best_frame.height == over(90).best_frame.height);
   CHECK(over(90).end == End::landed);
+  // With alpha < 0 a frame that begins with a falling body may still end higher.
+  const Program springy =
+      parse("integrator springy\nstep\n  x = x + h*v - h^2*a(x, v, t)\n  v = v + h*a(x, v, t)\n", "s");
+  const FrameJump negative = jump(springy, {.height = 1, .steps = Steps(40, Rational(1, 60))});
+  CHECK(negative.end == End::falling);
+  CHECK_FALSE(negative.top_is_certain);
   // What an earlier step has left behind could lift the body again.
   const FrameJump two_step =
       jump(find_integrator("adams-bashforth-2"), {.height = 1, .steps = Steps(40, Rational(1, 60))});
   CHECK(two_step.end == End::falling);
   CHECK_FALSE(two_step.top_is_certain);
+}
+
+TEST_CASE(
+    "a body that is exactly at the ground has landed, and of two frames that are equally high the earlier "
+    "counts") {
+  // u = 2 m/s, g = 1 m/s^2, frames of 1 s: v = 1, 0, -1 and x = 1, 1, 0.
+  const FrameJump j =
+      jump(find_integrator("symplectic-euler"), {.height = 2, .steps = Steps(9, Rational(1)), .g = 1});
+  REQUIRE(j.frames.size() == 4);
+  CHECK(j.frames[3].height.is_zero());
+  CHECK(j.end == End::landed);
+  CHECK(j.best_frame.n == 1);
+  CHECK(j.tie);
 }
 
 TEST_CASE("a first frame that is too long keeps the body on the ground, up to the height that is said") {

@@ -139,13 +139,6 @@ TEST_CASE("a bad file is told what is wrong, with line and column") {
   for (const Case& c : cases) CHECK(complaint(c.text) == c.message);
 }
 
-TEST_CASE("a million frames are read, one more is not") {
-  std::string text;
-  for (std::size_t n = 0; n < kMostFrames; ++n) text += "1\n";
-  CHECK(parse_frames(text, "f").steps.size() == kMostFrames);
-  CHECK(complaint(text + "1\n") == "f:1000001:1: there are more than 1,000,000 frames, which is our limit");
-}
-
 TEST_CASE("a file that cannot be read is not a bad one") {
   CHECK_THROWS_AS(read_frames("/no/such/file.csv"), UnreadableFile);
   CHECK_THROWS_AS(read_frames("/"), UnreadableFile);

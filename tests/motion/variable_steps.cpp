@@ -135,6 +135,18 @@ TEST_CASE("what leapfrog's half kick at the start was made for is the first step
   CHECK_FALSE(steps.law->only_squares());
 }
 
+TEST_CASE("what start or finish add counts too: alpha = 1/2 alone is not exact") {
+  const std::string step = "step\n  x = x + h*v + h^2/2*a(x, v, t)\n  v = v + h*a(x, v, t)\n";
+  const auto exact = [&](const std::string& before, const std::string& after) {
+    return list_exactness(parse("integrator test\n" + before + step + after, "t")).exact;
+  };
+  CHECK(exact("", "") == true);
+  CHECK(exact("start\n  v = v + h*a(x, v, t)\n", "") == false);
+  CHECK(exact("start\n  x = x + h^2*a(x, v, t)\n", "") == false);
+  CHECK(exact("", "finish\n  x = x + h^2*a(x, v, t)\n") == false);
+  CHECK(exact("", "finish\n  v = v + h*a(x, v, t)\n") == true);  // positions are
+}
+
 TEST_CASE("the law is what stepping does, for the whole catalogue and random lists") {
   CHECK(rc::check([] {
     const Program program = substepped(*rc::gen::elementOf(catalogue()), *rc::gen::element(1, 1, 3));
