@@ -13,7 +13,7 @@ struct Figure {
   /// Colours that people of every colour vision tell apart.
   ///
   /// source  Okabe & Ito (2008), Color Universal Design
-  enum class Ink { black, grey, blue, sky, green, orange, vermillion, purple };
+  enum class Ink { black, dark, grey, blue, sky, green, orange, vermillion, purple };
 
   struct Point {
     double x = 0;
@@ -57,6 +57,7 @@ struct Figure {
   };
   struct Panel {
     std::string title;
+    std::string note;  ///< below the title, in small grey letters: how to read it
     Axis x;
     Axis y;
     bool equal_scales = false;  ///< one unit is as long upwards as sideways

@@ -14,8 +14,23 @@ namespace {
 
 using Ink = Figure::Ink;
 
-constexpr int kPanelWidth = 600;
-constexpr int kHeight = 520;
+// Pixels.
+constexpr int kHeight = 540;
+constexpr int kBelow = 72;    // tics and label of the x axis
+constexpr int kAbove = 108;   // titles
+constexpr int kLeft = 84;     // tics and label of the y axis
+constexpr int kRight = 28;
+constexpr int kPlotHeight = kHeight - kBelow - kAbove;
+constexpr int kPlotWidth = 480;
+constexpr int kNarrowest = 300;  // leaves room for a title
+constexpr int kWidest = 560;
+
+/// How wide a panel's plot is.
+int plot_width(const Figure::Panel& p) {
+  if (!p.equal_scales) return kPlotWidth;
+  const double width = kPlotHeight * (p.x.high - p.x.low) / (p.y.high - p.y.low);
+  return std::clamp(static_cast<int>(std::lround(width)), kNarrowest, kWidest);
+}
 
 struct Colour {
   int red, green, blue;
@@ -25,6 +40,7 @@ Colour colour(Ink ink) {
   switch (ink) {
     case Ink::black: return {0x22, 0x22, 0x22};
     case Ink::grey: return {0x8a, 0x8a, 0x8a};
+    case Ink::dark: return {0x5a, 0x5a, 0x5a};
     case Ink::blue: return {0x00, 0x72, 0xb2};
     case Ink::sky: return {0x56, 0xb4, 0xe9};
     case Ink::green: return {0x00, 0x9e, 0x73};
@@ -73,8 +89,11 @@ class PanelWriter {
 
   const std::string& data() const { return data_; }
 
-  std::string commands() const {
-    std::string text = "unset label\nset title " + quoted(panel_.title) + " left offset 0,0.2 textcolor rgb " + rgb(Ink::black) + "\n";
+  /// param   title  of the whole figure; empty except above the first panel
+  std::string commands(const std::string& title) const {
+    std::string text = "unset label\n" + heading(panel_.title, panel_.note.empty() ? 14 : 34, "", Ink::black);
+    if (!panel_.note.empty()) text += heading(panel_.note, 14, " font ',11'", Ink::dark);
+    if (!title.empty()) text += heading(title, 66, " font ',16'", Ink::black);
     text += axis("x", panel_.x) + axis("y", panel_.y);
     text += panel_.equal_scales ? "set size ratio -1\n" : "set size noratio\n";
     for (const Figure::Label& l : panel_.labels) text += label(l);
@@ -103,6 +122,11 @@ class PanelWriter {
   void add_curve(const Figure::Curve& c) {
     if (c.paths.empty()) return;
     plots_.push_back(block(c.paths) + " using 1:2 with lines lw " + number_text(c.width) + (c.dashed ? " dt (6,5)" : " dt solid") + " lc rgb " + rgb(c.ink) + " notitle");
+  }
+
+  /// A line of text above the panel, so many pixels up.
+  static std::string heading(const std::string& text, int up, const std::string& font, Ink ink) {
+    return "set label " + quoted(text) + " at graph 0,graph " + number_text(1 + up / static_cast<double>(kPlotHeight)) + " left" + font + " textcolor rgb " + rgb(ink) + " front\n";
   }
 
   static std::string axis(const std::string& which, const Figure::Axis& a) {
@@ -147,22 +171,24 @@ ImageFormat image_format(const std::string& path) {
 }
 
 std::string gnuplot_script(const Figure& figure, ImageFormat format) {
-  const int panels = std::max<int>(1, static_cast<int>(figure.panels.size()));
-  std::string script = "set encoding utf8\n" + terminal(format, kPanelWidth * panels);
+  int width = 0;
+  for (const Figure::Panel& p : figure.panels) width += kLeft + plot_width(p) + kRight;
+  width = std::max(width, kLeft + kPlotWidth + kRight);
+  std::string script = "set encoding utf8\n" + terminal(format, width);
   std::string drawing;
+  int left = 0;
+  const auto across = [&](int pixels) { return number_text(static_cast<double>(pixels) / width); };
+  const std::string upright = "set bmargin at screen " + number_text(static_cast<double>(kBelow) / kHeight) + "\nset tmargin at screen " +
+                              number_text(1 - static_cast<double>(kAbove) / kHeight) + "\n";
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const PanelWriter writer(figure.panels[i], static_cast<int>(i));
     script += writer.data();
-    drawing += writer.commands();
+    left += kLeft;
+    drawing += "set lmargin at screen " + across(left) + "\nset rmargin at screen " + across(left + plot_width(figure.panels[i])) + "\n" + writer.commands(i == 0 ? figure.title : "");
+    left += plot_width(figure.panels[i]) + kRight;
   }
-  script += "set border 3 lw 1 lc rgb " + rgb(Ink::grey) + "\nset tics nomirror out scale 0.6 textcolor rgb " + rgb(Ink::black) + "\nset key off\nset clip one\nset clip two\n";
-  script += "set multiplot layout 1," + std::to_string(panels) + " margins screen " + number_text(panels > 1 ? 0.06 : 0.11) + "," + number_text(panels > 1 ? 0.98 : 0.96) +
-            ",0.13,0.80 spacing screen 0.09\n";
-  script += "set label 1 " + quoted(figure.title) + " at screen " + number_text(panels > 1 ? 0.02 : 0.03) + ",0.94 left font ',16' textcolor rgb " + rgb(Ink::black) + "\n";
-  // The title belongs to the first panel only: later ones begin with `unset label`.
-  const std::size_t first = drawing.find('\n');
-  script += drawing.substr(first == std::string::npos ? 0 : first + 1);
-  return script + "unset multiplot\n";
+  script += "set border 3 lw 1 lc rgb " + rgb(Ink::grey) + "\nset tics nomirror out scale 0.6 textcolor rgb " + rgb(Ink::black) + "\nset key off\nset clip one\nset clip two\n" + upright;
+  return script + "set multiplot\n" + drawing + "unset multiplot\n";
 }
 
 }  // namespace shortfall

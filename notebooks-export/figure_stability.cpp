@@ -45,12 +45,42 @@ double reach(const Windows& windows) {
 
 constexpr double kTop = 1.6;
 
+/// The same line with fewer points: none of those left out is farther than this share of the picture from it.
+///
+/// source  Douglas & Peucker (1973), Algorithms for the reduction of the number of points
+void thin(const Figure::Path& p, std::size_t from, std::size_t to, double x_unit, double y_unit, Figure::Path& kept) {
+  std::size_t farthest = from;
+  double largest = 2e-4;
+  const double dx = (p[to].x - p[from].x) / x_unit, dy = (p[to].y - p[from].y) / y_unit, length = std::hypot(dx, dy);
+  for (std::size_t i = from + 1; i < to; ++i) {
+    const double off = std::abs((p[i].x - p[from].x) / x_unit * dy - (p[i].y - p[from].y) / y_unit * dx) / length;
+    if (off > largest) {
+      largest = off;
+      farthest = i;
+    }
+  }
+  if (farthest == from) {
+    kept.push_back(p[to]);
+    return;
+  }
+  thin(p, from, farthest, x_unit, y_unit, kept);
+  thin(p, farthest, to, x_unit, y_unit, kept);
+}
+
+Figure::Path thinned(const Figure::Path& p, double x_unit, double y_unit) {
+  Figure::Path kept{p.front()};
+  thin(p, 0, p.size() - 1, x_unit, y_unit, kept);
+  return kept;
+}
+
 Figure::Panel sizes_panel(const Stability& s) {
   Figure::Panel panel;
-  panel.title = "what a step multiplies an oscillation by";
+  panel.title = s.substeps > 1 ? "what a frame multiplies an oscillation by" : "what a step multiplies an oscillation by";
+  const std::size_t count = s.numbers.nonzero.size() - 1;
+  panel.note = count > 1 ? "thick: the largest eigenvalue; thin: the others" : "";
   const double end = reach(s.windows);
-  panel.x = {"h ω", "", 0, end, false};
-  panel.y = {"|λ|", "", 0, kTop, false};
+  panel.x = {s.substeps > 1 ? "frame times frequency, h ω" : "step times frequency, h ω", "rad", 0, end, false};
+  panel.y = {"size of the eigenvalues, |λ|", "", 0, kTop, false};
   for (const Window& w : s.windows.windows) {
     const double from = w.from ? w.from->at.to_double() : 0, to = w.to ? w.to->at.to_double() : end;
     panel.regions.push_back({{{{from, 0}, {to, 0}, {to, 1}, {from, 1}}}, Ink::sky, 0.16});
@@ -59,22 +89,24 @@ Figure::Panel sizes_panel(const Stability& s) {
   panel.curves.push_back({{{{0, 1}, {end, 1}}}, Ink::grey, 1, true});
   const SampledEigenvalues eigenvalues(s.numbers);
   constexpr int kPoints = 900;
-  const std::size_t count = s.numbers.nonzero.size() - 1;
   std::vector<Figure::Path> paths(count);
   for (int i = 0; i <= kPoints; ++i) {
     const double z = end * std::max(i, 1) / kPoints * (i == 0 ? 1e-3 : 1);
     const std::vector<double> sizes = eigenvalues.sizes(z / s.substeps);
-    for (std::size_t k = 0; k < count; ++k) paths[k].push_back({z, std::pow(sizes[k], s.substeps)});
+    for (std::size_t k = 0; k < count; ++k) paths[k].push_back({z, std::min(std::pow(sizes[k], s.substeps), 2 * kTop)});
   }
+  for (Figure::Path& p : paths) p = thinned(p, end, kTop);
   if (count > 1) panel.curves.push_back({{paths.begin() + 1, paths.end()}, Ink::sky, 2, false});
   panel.curves.push_back({{paths.front()}, Ink::blue, 3, false});
   if (const RealRoot* limit = s.limit()) {
     const double at = limit->to_double();
     panel.curves.push_back({{{{at, 0}, {at, kTop}}}, Ink::vermillion, 1.6, true});
     panel.marks.push_back({{at, 1}, Ink::vermillion});
-    panel.labels.push_back({{at, kTop * 0.96}, "limit " + value_text(*limit) + " ", Ink::vermillion, Align::right, 0});
+    const bool room_left = at > 0.4 * end;
+    panel.labels.push_back({{at + (room_left ? -0.015 : 0.015) * end, kTop * 0.96}, "limit " + value_text(*limit), Ink::vermillion, room_left ? Align::right : Align::left, 0});
   } else {
-    panel.labels.push_back({{end / 2, kTop * 0.96}, s.windows.always() ? "stable for every h ω" : s.windows.windows.empty() ? "stable for no h ω" : "stable for no small h ω", Ink::vermillion,
+    const bool always = s.windows.always();
+    panel.labels.push_back({{end / 2, always ? 1.3 : 0.7}, always ? "stable for every h ω" : s.windows.windows.empty() ? "stable for no h ω" : "stable for no small h ω", Ink::vermillion,
                             Align::centre, 0});
   }
   return panel;
@@ -103,6 +135,12 @@ Box box_of(const StabilityFunction& r) {
   Box box{seen.left - margin, seen.right + margin, seen.top + margin};
   if (!bounded) box.left = std::min(box.left, -0.45 * (box.right - box.left));
   box.right = std::max(box.right, 0.25 * (box.right - box.left));
+  // A picture is neither a tower nor a ribbon.
+  if (const double missing = 1.0 * 2 * box.top - (box.right - box.left); missing > 0) {
+    box.left -= missing / 2;
+    box.right += missing / 2;
+  }
+  box.top = std::max(box.top, (box.right - box.left) / 1.5 / 2);
   return box;
 }
 
@@ -112,6 +150,7 @@ Figure::Panel region_panel(const Stability& s) {
   panel.title = s.properties->l_stable   ? "where |R(z)| ≤ 1: A-stable and L-stable"
                 : s.properties->a_stable ? "where |R(z)| ≤ 1: A-stable"
                                          : "where |R(z)| ≤ 1";
+  panel.note = "z = h λ for y' = λ y; darker: ≤ 0.8, 0.6, 0.4, 0.2";
   const Box box = box_of(r);
   panel.x = {"Re z", "", box.left, box.right, false};
   panel.y = {"Im z", "", -box.top, box.top, false};
@@ -127,7 +166,7 @@ Figure::Panel region_panel(const Stability& s) {
   if (const WindowEdge* edge = s.properties->real_axis.limit()) {
     const double at = -edge->at.to_double();
     panel.marks.push_back({{at, 0}, Ink::vermillion});
-    panel.labels.push_back({{at, 0}, "−" + short_number(-at), Ink::vermillion, Align::centre, at < box.left + 0.15 * (box.right - box.left) ? 1.1 : -1.2});
+    panel.labels.push_back({{at - 0.02 * (box.right - box.left), 0}, "−" + short_number(-at), Ink::vermillion, Align::right, 0.8});
   }
   if (s.limit() && s.limit()->to_double() / s.substeps < box.top) {
     const double at = s.limit()->to_double() / s.substeps;
@@ -141,7 +180,7 @@ Figure::Panel region_panel(const Stability& s) {
 
 Figure stability_figure(const Stability& s) {
   Figure figure;
-  figure.title = s.integrator + (s.substeps > 1 ? ", " + std::to_string(s.substeps) + " substeps" : "");
+  figure.title = "Stability of " + s.integrator + (s.substeps > 1 ? ", " + std::to_string(s.substeps) + " substeps" : "");
   if (s.function) figure.panels.push_back(region_panel(s));
   figure.panels.push_back(sizes_panel(s));
   return figure;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/stability_json.hpp"
 
+#include "analysis/stability/isolation.hpp"
 #include "analysis/stability/radicals.hpp"
 #include "notebooks-export/stability_words.hpp"
 
@@ -19,8 +20,12 @@ Json number_json(const RealRoot& r) {
   json["decimal"] = r.significant(kDigits);
   json["digits"] = kDigits;
   json["polynomial"] = print(polynomial_formula(r.polynomial(), "x"));
-  const RealRoot narrow = r.refined(Rational(1, 1'000'000));
-  json["interval"] = {narrow.low().str(), narrow.high().str()};
+  if (r.is_rational()) {
+    json["interval"] = {r.low().str(), r.low().str()};
+    return json;
+  }
+  const Isolation between = isolation(r);
+  json["interval"] = {between.low, between.high};
   return json;
 }
 
@@ -101,7 +106,9 @@ Json drag_json(const Stability& s) {
   if (!s.drag) return nullptr;
   Json json;
   json["factor"] = s.drag->factor && s.substeps == 1 ? Json(print(stability_formula(*s.drag->factor, *s.damped, StabilityLetters::factors))) : Json(nullptr);
-  json["turns_round_above"] = s.drag->overshoots ? number_json(*s.drag->overshoots) : Json(nullptr);
+  json["turns_round"] = Json::array();
+  for (const Drag::Reversal& r : s.drag->reversals)
+    json["turns_round"].push_back({{"from", number_json(r.from)}, {"to", r.to ? number_json(*r.to) : Json(nullptr)}});
   json["stable"] = summary(s.drag->windows);
   json["limit"] = limit_json(s.drag->windows);
   json["windows"] = windows_json(s.drag->windows);
@@ -136,6 +143,7 @@ Json as_json(const Stability& s) {
   json["limit"] = limit_json(s.windows);
   json["at_limit"] = at_limit_json(s);
   json["windows"] = windows_json(s.windows);
+  json["runaway"] = {{"stable", summary(s.runaway)}, {"windows", windows_json(s.runaway)}};
   json["drag"] = drag_json(s);
   if (s.damped) {
     Json damped;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kDigits = 50;
 constexpr int kShortDigits = 20;
-constexpr std::size_t kWidestFormula = 400;
+constexpr std::size_t kWidestFormula = 200;
 
 class Writer {
  public:
@@ -25,6 +25,7 @@ class Writer {
     drag();
     damped();
     function();
+    runaway();
     proof();
     return text_;
   }
@@ -76,6 +77,7 @@ class Writer {
     if (w.windows.back().to) line("beyond", "unstable for every larger z");
     if (!s_.limit()) return;
     line("limit", "z = " + exact_number(*s_.limit(), style_, kDigits));
+    if (!s_.limit()->is_rational()) line("", isolation_words(*s_.limit(), style_));
     line("", "steps a period: more than " + steps_a_period());
     at_limit();
   }
@@ -128,8 +130,14 @@ class Writer {
     const Drag& d = *s_.drag;
     section("Drag alone, x'' = " + minus() + "c v with d = c h");
     if (d.factor && s_.substeps == 1) line("velocity", "multiplied by " + formula(*d.factor, *s_.damped) + " each step");
-    if (d.factor) line("turns round", d.overshoots ? "each " + std::string(s_.substeps > 1 ? "substep" : "step") + " reverses the velocity for d > " + exact_number(*d.overshoots, style_, kShortDigits) : "never: the velocity keeps its sign");
+    if (d.factor) line("turns round", d.reversals.empty() ? "never: the velocity keeps its sign" : "each " + std::string(s_.substeps > 1 ? "substep" : "step") + " reverses the velocity for " + reversals(d));
     windows_of_drag(d.windows);
+  }
+
+  std::string reversals(const Drag& d) const {
+    std::string text;
+    for (const Drag::Reversal& r : d.reversals) text += (text.empty() ? "" : ", ") + short_exact(r.from, style_) + " < d" + (r.to ? " < " + short_exact(*r.to, style_) : "");
+    return text;
   }
 
   void windows_of_drag(const Windows& windows) {
@@ -173,11 +181,25 @@ class Writer {
     if (const WindowEdge* edge = p.real_axis.limit()) line("", "limit " + minus() + "z = " + exact_number(edge->at, style_, kShortDigits));
   }
 
+  void runaway() {
+    section("Unstable physics, k < 0: x'' = q" + squared() + " x, the motion itself grows like exp(q t); with s = h q");
+    const Windows& w = s_.runaway;
+    if (w.windows.empty()) return line("growth", "the computed motion grows, too, for every s > 0: this growth is right");
+    if (w.always()) return line("growth", "the computed motion does not grow for any s > 0: wrong");
+    line("growth", "the computed motion grows, too, as is right, but");
+    for (const Window& window : w.windows) line("wrong", "it does not grow for " + window_text(window, "s", style_));
+  }
+
   void proof() {
     section("Proof");
-    text_ += "  Eigenvalues reach or leave the unit circle, or meet on it, only at roots of " + std::string(s_.windows.points == 0 ? "certain polynomials in z^2, and these have no" : "certain polynomials in z^2, which have " + std::to_string(s_.windows.points)) +
-             " positive root" + (s_.windows.points == 1 ? "" : "s") + ".\n  Between them one rational value decides (" + std::to_string(s_.windows.cells) +
-             " of them), at each root its own number field: Schur and Cohn's test, Sturm's\n  sequence, the Jordan form by ranks. No number was rounded.\n";
+    const auto count = [](int n, const std::string& what) { return std::to_string(n) + " " + what + (n == 1 ? "" : "s"); };
+    const Windows& w = s_.windows;
+    text_ += "  What happens changes only where eigenvalues reach or leave the unit circle, or meet on it: at roots of certain polynomials\n  in z" + squared() + ". ";
+    if (w.points == 0)
+      text_ += "These have no positive root, so that one rational value of z" + squared() + " decides for all.";
+    else
+      text_ += "These have " + count(w.points, "positive root") + ", isolated exactly. One rational value decides in each of the " + std::to_string(w.cells) + " intervals\n  between them, and each root is decided in its own number field.";
+    text_ += "\n  Decided by: the test of Schur and Cohn, Sturm's sequence, the Jordan form. No number was rounded.\n";
   }
 
   const Stability& s_;

@@ -2,6 +2,7 @@
 #include "notebooks-export/stability_words.hpp"
 
 #include "analysis/problems/letters.hpp"
+#include "analysis/stability/isolation.hpp"
 #include "analysis/stability/radicals.hpp"
 
 namespace shortfall {
@@ -9,6 +10,7 @@ namespace shortfall {
 namespace {
 
 constexpr std::size_t kLongestRadical = 48;
+constexpr std::size_t kLongestPolynomial = 120;
 
 FormulaLetters letters_of(const Amplification& a, StabilityLetters letters) {
   FormulaLetters result;
@@ -31,6 +33,11 @@ std::string below(Style style, bool included) { return !included ? " < " : style
 std::string times(int n) { return n == 1 ? "once" : n == 2 ? "twice" : std::to_string(n) + " times"; }
 
 std::string minus(Style style) { return style == Style::unicode ? "−" : "-"; }
+
+std::string polynomial_words(const RealRoot& r, Style style) {
+  const std::string text = print(polynomial_formula(r.polynomial(), "x"), style);
+  return text.size() <= kLongestPolynomial ? text : "a polynomial of degree " + std::to_string(r.degree()) + " that --json shows";
+}
 
 std::string growth_words(int degree) { return degree == 1 ? "grows linearly" : "grows like n^" + std::to_string(degree); }
 
@@ -66,15 +73,22 @@ std::string exact_number(const RealRoot& r, Style style, int digits) {
     if (text == decimal) return text;
     if (text.size() <= kLongestRadical) return text + " = " + decimal;
   }
-  return decimal + " (a root of " + print(polynomial_formula(r.polynomial(), "x"), style) + ")";
+  return decimal + " (a root of " + polynomial_words(r, style) + ")";
+}
+
+std::string isolation_words(const RealRoot& r, Style style) {
+  const Isolation between = isolation(r);
+  return "the only root of " + polynomial_words(r, style) + " between " + between.low + " and " + between.high;
+}
+
+std::string short_exact(const RealRoot& r, Style style) {
+  const auto formula = radical_formula(r);
+  const std::string text = formula ? print(*formula, style) : "";
+  return !text.empty() && text.size() <= 16 ? text : r.significant(8);
 }
 
 std::string window_text(const Window& w, const std::string& letter, Style style) {
-  const auto edge = [&](const WindowEdge& e) {
-    const auto formula = radical_formula(e.at);
-    const std::string text = formula ? print(*formula, style) : "";
-    return !text.empty() && text.size() <= 16 ? text : e.at.significant(8);
-  };
+  const auto edge = [&](const WindowEdge& e) { return short_exact(e.at, style); };
   if (w.is_point()) return letter + " = " + edge(*w.from);
   return (w.from ? edge(*w.from) : "0") + below(style, w.from && w.from_included) + letter + (w.to ? below(style, w.to_included) + edge(*w.to) : "");
 }

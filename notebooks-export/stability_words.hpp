@@ -27,6 +27,12 @@ Expr stability_function_formula(const StabilityFunction& r);
 /// "2 √2 = 2.8284271247461900976"; a number without a short formula shows its decimals and its polynomial.
 std::string exact_number(const RealRoot& r, Style style, int digits);
 
+/// "the only root of x² − 8 between 2.8 and 2.9"; for an irrational number.
+std::string isolation_words(const RealRoot& r, Style style);
+
+/// A number inside a sentence: a short formula, or eight digits.
+std::string short_exact(const RealRoot& r, Style style);
+
 /// "0 < z < 2", "z = 3", "2 ≤ z".
 std::string window_text(const Window& w, const std::string& letter, Style style);
 

@@ -27,6 +27,7 @@ class Algebraic {
   Algebraic abs() const { return sign() < 0 ? -*this : *this; }
   bool is_rational() const { return value_.degree() < 1; }
   Rational rational() const { return is_zero() ? Rational() : value_[0]; }  ///< meaningful when is_rational()
+  const Univariate<Rational>& polynomial() const { return value_; }  ///< p with p(r) its value, of lower degree than r
 
   Algebraic operator-() const;
   Algebraic& operator+=(const Algebraic&);

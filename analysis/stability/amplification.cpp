@@ -34,6 +34,7 @@ bool belongs_to_motion(const Polynomial& factor) {
 
 void split(Amplification& a) {
   std::vector<Fraction> p = characteristic_coefficients(a.matrix);
+  for (Fraction& c : p) c = reduced(c, a.algebraic);
   while (p[static_cast<std::size_t>(a.zeros)].is_zero()) ++a.zeros;
   a.nonzero.assign(p.begin() + a.zeros, p.end());
   if (a.nonzero.size() == 3) {
@@ -65,36 +66,40 @@ Fraction Amplification::determinant() const {
   return pair[0];
 }
 
-Amplification amplification(const Program& program, const Values& given, Damping damping) {
-  const Fraction c = damping == Damping::viscous ? Fraction::letter(kDamping) : Fraction();
-  const StepMap map = step_map(lower(program, given), -1, Fraction::letter(kStiffness), c);
+Amplification amplification(SquareMatrix<Fraction> matrix, std::vector<std::string> letters,
+                            std::vector<std::string> states, std::vector<AlgebraicLetter> algebraic) {
   Amplification result;
-  result.letters = map.letters;
-  result.states = map.states;
-  for (auto& row : map.matrix()) {
-    result.matrix.emplace_back();
-    for (const Fraction& f : row) {
-      if (f.contains(kCount)) throw Unable("the step of " + program.name + " changes with t, so it has no amplification matrix");
-      result.matrix.back().push_back(f.substitute(kStepLetter, Fraction(1)));
-    }
-  }
+  result.letters = std::move(letters);
+  result.states = std::move(states);
+  result.algebraic = std::move(algebraic);
+  result.matrix = reduced(std::move(matrix), result.algebraic);
   split(result);
   return result;
 }
 
+Amplification amplification(const Program& program, const Values& given, Damping damping) {
+  const Fraction c = damping == Damping::viscous ? Fraction::letter(kDamping) : Fraction();
+  const StepMap map = step_map(lower(program, given), -1, Fraction::letter(kStiffness), c);
+  SquareMatrix<Fraction> matrix;
+  for (auto& row : map.matrix()) {
+    matrix.emplace_back();
+    for (const Fraction& f : row) {
+      if (f.contains(kCount)) throw Unable("the step of " + program.name + " changes with t, so it has no amplification matrix");
+      matrix.back().push_back(f.substitute(kStepLetter, Fraction(1)));
+    }
+  }
+  return amplification(std::move(matrix), map.letters, map.states);
+}
+
 Amplification repeated(const Amplification& step, int count) {
   if (count == 1) return step;
-  Amplification result;
-  result.letters = step.letters;
-  result.states = step.states;
   SquareMatrix<Fraction> once = step.matrix;
   for (auto& row : once)
     for (Fraction& f : row)
       f = f.substitute(kStiffness, Fraction::letter(kStiffness) / Fraction(count * count)).substitute(kDamping, Fraction::letter(kDamping) / Fraction(count));
-  result.matrix = once;
-  for (int k = 1; k < count; ++k) result.matrix = product(result.matrix, once);
-  split(result);
-  return result;
+  SquareMatrix<Fraction> matrix = once;
+  for (int k = 1; k < count; ++k) matrix = reduced(product(matrix, once), step.algebraic);
+  return amplification(std::move(matrix), step.letters, step.states, step.algebraic);
 }
 
 Fraction trace(const Program& program, const Values& given) { return amplification(program, given).trace(); }

@@ -7,6 +7,7 @@
 #include "analysis/algebra/fraction.hpp"
 #include "analysis/program/program.hpp"
 #include "analysis/program/tape.hpp"
+#include "analysis/stability/algebraic_letter.hpp"
 #include "analysis/stability/square_matrix.hpp"
 
 namespace shortfall {
@@ -18,6 +19,7 @@ namespace shortfall {
 struct Amplification {
   std::vector<std::string> letters;  ///< names, see letters.hpp
   std::vector<std::string> states;   ///< names of the carried vectors
+  std::vector<AlgebraicLetter> algebraic;  ///< letters that stand for numbers; all formulas are reduced by them
   SquareMatrix<Fraction> matrix;
   int zeros = 0;                  ///< multiplicity of the eigenvalue 0: carried vectors that follow from the others, or are not used
   std::vector<Fraction> nonzero;  ///< monic, lowest power first
@@ -32,6 +34,14 @@ struct Amplification {
   /// How many eigenvalues there are besides 0 and the two of the motion.
   int spurious_count() const { return static_cast<int>(nonzero.size()) - 3; }
 };
+
+/// Of a matrix that is at hand, in the letters and units described above.
+///
+/// param   letters    names of all letters that occur, see letters.hpp
+/// param   algebraic  those that stand for algebraic numbers, such as the root of 2 = w^3
+/// throws  Undefined  when a denominator is zero with these numbers
+Amplification amplification(SquareMatrix<Fraction> matrix, std::vector<std::string> letters, std::vector<std::string> states,
+                            std::vector<AlgebraicLetter> algebraic = {});
 
 enum class Damping { none, viscous };
 

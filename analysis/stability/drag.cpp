@@ -7,13 +7,24 @@ namespace shortfall {
 
 namespace {
 
-/// The smallest positive value of the letter at which a rational function changes its sign.
-std::optional<RealRoot> first_sign_change(const Fraction& f, Letter letter) {
-  const std::vector<RealRoot> points = positive_roots({univariate(f.numerator(), letter), univariate(f.denominator(), letter)});
+/// Where a rational function, positive for small values of its letter, is negative.
+std::vector<Drag::Reversal> reversals_of(const Fraction& f, Letter letter,
+                                         const std::vector<AlgebraicLetter>& algebraic) {
+  const CommonField field = common_field(algebraic);
+  const Univariate<Algebraic> above = over_field(f.numerator(), letter, algebraic, field),
+                              below = over_field(f.denominator(), letter, algebraic, field);
+  std::vector<RealRoot> points;
+  for (const RootOver& r : positive_roots({above, below}, field.generator)) points.push_back(r.root);
   const std::vector<Rational> samples = samples_between(points);
-  for (std::size_t i = 1; i < samples.size(); ++i)
-    if (f.evaluate({{letter, samples[i]}}).sign() != f.evaluate({{letter, samples[0]}}).sign()) return points[i - 1];
-  return std::nullopt;
+  std::vector<Drag::Reversal> result;
+  bool negative = false;
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    const bool now = above.at(samples[i]).sign() * below.at(samples[i]).sign() < 0;
+    if (now && !negative) result.push_back({points[i - 1], {}});
+    if (!now && negative) result.back().to = points[i - 1];
+    negative = now;
+  }
+  return result;
 }
 
 }  // namespace
@@ -24,8 +35,8 @@ Drag drag(const Amplification& damped) {
     for (Fraction& f : row) f = f.substitute(kStiffness, Fraction());
   Drag result;
   if (!damped.pair.empty() && damped.spurious_count() == 0) result.factor = damped.determinant().substitute(kStiffness, Fraction());
-  result.windows = bounded_windows(m, kDamping);
-  if (result.factor) result.overshoots = first_sign_change(*result.factor, kDamping);
+  result.windows = bounded_windows(m, kDamping, damped.algebraic);
+  if (result.factor) result.reversals = reversals_of(*result.factor, kDamping, damped.algebraic);
   return result;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "analysis/stability/amplification.hpp"
 #include "analysis/stability/windows.hpp"
@@ -12,8 +13,12 @@ namespace shortfall {
 struct Drag {
   std::optional<Fraction> factor;  ///< each step multiplies the velocity by it, d in the letter of c; none with further eigenvalues
   Windows windows;                 ///< where the motion stays bounded
-  /// The smallest d from which on each step turns the velocity round: the factor changes its sign. None when it never does, or there is none.
-  std::optional<RealRoot> overshoots;
+  /// Where each step turns the velocity round: the factor is negative.
+  struct Reversal {
+    RealRoot from;
+    std::optional<RealRoot> to;  ///< none: without end
+  };
+  std::vector<Reversal> reversals;  ///< in increasing order; empty when it never is, or there is no factor
 };
 
 /// param   damped  an amplification matrix with damping, its parameters numbers

@@ -127,5 +127,6 @@ PowerGrowth power_growth(const std::vector<std::vector<F>>& matrix) {
 
 template PowerGrowth power_growth(const std::vector<std::vector<Rational>>&);
 template PowerGrowth power_growth(const std::vector<std::vector<Algebraic>>&);
+template PowerGrowth power_growth(const std::vector<std::vector<AlgebraicOver>>&);
 
 }  // namespace shortfall

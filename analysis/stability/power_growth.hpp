@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/algebra/rational.hpp"
-#include "analysis/algebra/algebraic.hpp"
+#include "analysis/stability/algebraic_over.hpp"
 
 namespace shortfall {
 
@@ -31,7 +31,7 @@ struct PowerGrowth {
   bool bounded() const { return kind == Kind::bounded; }
 };
 
-/// Decides it over an exact ordered field F (Rational, Algebraic), without knowing an eigenvalue.
+/// Decides it over an exact ordered field F (Rational, Algebraic, AlgebraicOver), without knowing an eigenvalue.
 ///
 /// The characteristic polynomial is split into square-free parts, each of them into what it shares with its reversal and the rest. The rest
 /// has no root on the circle and must pass the test of Schur and Cohn; the shared part, as a polynomial in u = z + 1/z, must have all its
@@ -44,5 +44,6 @@ PowerGrowth power_growth(const std::vector<std::vector<F>>& matrix);
 
 extern template PowerGrowth power_growth(const std::vector<std::vector<Rational>>&);
 extern template PowerGrowth power_growth(const std::vector<std::vector<Algebraic>>&);
+extern template PowerGrowth power_growth(const std::vector<std::vector<AlgebraicOver>>&);
 
 }  // namespace shortfall

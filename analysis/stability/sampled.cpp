@@ -26,7 +26,9 @@ T value(const std::vector<double>& p, T x) {
 }  // namespace
 
 SampledEigenvalues::SampledEigenvalues(const Amplification& a) {
-  for (const Fraction& c : a.nonzero) {
+  for (Fraction c : a.nonzero) {
+    for (const AlgebraicLetter& letter : a.algebraic)
+      c = c.substitute(letter.letter, Fraction(letter.value.refined(Rational(1) / Rational(2).pow(100)).low()));
     numerators_.push_back(rounded(univariate(c.numerator(), kStiffness)));
     denominators_.push_back(rounded(univariate(c.denominator(), kStiffness)));
   }

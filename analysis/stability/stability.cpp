@@ -27,7 +27,7 @@ void check_dimensions(const Program& program, const Values& parameters) {
 }
 
 Windows windows_of(const Amplification& a, int substeps) {
-  Windows windows = bounded_windows(a.matrix, kStiffness);
+  Windows windows = bounded_windows(a.matrix, kStiffness, a.algebraic);
   map_edges(windows, [&](const RealRoot& y) { return scaled(square_root(y), substeps); });
   return windows;
 }
@@ -39,6 +39,8 @@ const RealRoot* Stability::limit() const {
   return edge ? &edge->at : nullptr;
 }
 
+Windows oscillator_windows(const Amplification& a) { return windows_of(a, 1); }
+
 Windows oscillator_windows(const Program& program, const Values& given) {
   const Values parameters = parameter_values(program, given);
   check_dimensions(program, parameters);
@@ -46,7 +48,10 @@ Windows oscillator_windows(const Program& program, const Values& given) {
 }
 
 std::optional<RealRoot> stability_limit(const Program& program, const Values& given) {
-  const Windows windows = oscillator_windows(program, given);
+  return stability_limit(oscillator_windows(program, given));
+}
+
+std::optional<RealRoot> stability_limit(const Windows& windows) {
   if (!windows.from_zero()) return RealRoot(0);
   if (const WindowEdge* edge = windows.limit()) return edge->at;
   return std::nullopt;
@@ -71,11 +76,18 @@ Stability stability(const Program& program, const Values& given, int substeps) {
     s.at_limit = edge->growth;
     if (const auto square = edge->at.rational_square(); square && !s.of_substep) s.limit_motion = limit_motion(program, s.parameters, substeps, *square);
   }
+  Amplification runaway = s.numbers;
+  for (auto& row : runaway.matrix)
+    for (Fraction& f : row) f = f.substitute(kStiffness, -Fraction::letter(kStiffness));
+  s.runaway = windows_of(runaway, substeps);
   try {
     const Amplification damped = amplification(program, s.parameters, Damping::viscous);
     s.drag = drag(damped);
     map_edges(s.drag->windows, [&](const RealRoot& d) { return scaled(d, substeps); });
-    if (s.drag->overshoots) s.drag->overshoots = scaled(*s.drag->overshoots, substeps);
+    for (Drag::Reversal& r : s.drag->reversals) {
+      r.from = scaled(r.from, substeps);
+      if (r.to) r.to = scaled(*r.to, substeps);
+    }
     s.damped = repeated(damped, written);
   } catch (const Undefined&) {
     // A stage that drag alone makes singular: there is nothing to report about it.

@@ -28,6 +28,7 @@ struct Stability {
   Windows windows;
   std::optional<PowerGrowth> at_limit;     ///< none without a limit, or when the step does not exist there
   std::optional<LimitMotion> limit_motion;  ///< when the eigenvalues at the limit are rational
+  Windows runaway;  ///< where the step stays bounded, in h q, though the motion x'' = q^2 x itself grows like exp(q t)
   std::optional<Drag> drag;                ///< none when the step is singular with drag
   std::optional<StabilityFunction> function;  ///< of one substep
   std::optional<StabilityProperties> properties;
@@ -45,8 +46,11 @@ Stability stability(const Program& program, const Values& given = {}, int subste
 
 /// Windows in z = h w for claims and figures.
 Windows oscillator_windows(const Program& program, const Values& given = {});
+/// The same from an amplification matrix without damping whose letters, but for k, all stand for numbers.
+Windows oscillator_windows(const Amplification& a);
 
 /// The largest h w, for claims: none when it is stable for every h w; 0 when for no small one.
 std::optional<RealRoot> stability_limit(const Program& program, const Values& given = {});
+std::optional<RealRoot> stability_limit(const Windows& windows);
 
 }  // namespace shortfall

@@ -5,6 +5,8 @@
 
 #include "analysis/problems/letters.hpp"
 #include "analysis/stability/resultant.hpp"
+#include "analysis/stability/window_walk.hpp"
+#include "analysis/stability/windows_over.hpp"
 
 namespace shortfall {
 
@@ -147,9 +149,8 @@ std::vector<Rational> samples_between(const std::vector<RealRoot>& roots) {
   return samples;
 }
 
-Windows bounded_windows(const SquareMatrix<Fraction>& matrix, Letter letter) {
-  const std::vector<RealRoot> roots = positive_roots(Critical(matrix, letter).polynomials());
-  const Univariate<Rational> poles = univariate(least_common_denominator(matrix), letter);
+Windows walked(const std::vector<RealRoot>& roots, const std::function<WindowEdge(std::size_t)>& edge_of,
+               const std::function<PowerGrowth(const Rational&)>& inside_of) {
   const std::vector<Rational> samples = samples_between(roots);
   Windows result;
   result.cells = static_cast<int>(samples.size());
@@ -157,9 +158,9 @@ Windows bounded_windows(const SquareMatrix<Fraction>& matrix, Letter letter) {
   Window* open = nullptr;  // the window that goes on
   for (std::size_t i = 0; i < samples.size(); ++i) {
     std::optional<WindowEdge> edge;
-    if (i > 0) edge = edge_at(matrix, letter, poles, roots[i - 1]);
+    if (i > 0) edge = edge_of(i - 1);
     const bool point_bounded = edge && !edge->pole && edge->growth.bounded();
-    const PowerGrowth inside = power_growth(matrix_at(matrix, letter, samples[i]));
+    const PowerGrowth inside = inside_of(samples[i]);
     if (open && edge && !(point_bounded && inside.bounded())) {
       open->to = edge;
       open->to_included = point_bounded;
@@ -177,6 +178,27 @@ Windows bounded_windows(const SquareMatrix<Fraction>& matrix, Letter letter) {
     open->keeps = open->keeps && inside.inside == 0;
   }
   return result;
+}
+
+Windows bounded_windows(const SquareMatrix<Fraction>& matrix, Letter letter) {
+  const std::vector<RealRoot> roots = positive_roots(Critical(matrix, letter).polynomials());
+  const Univariate<Rational> poles = univariate(least_common_denominator(matrix), letter);
+  return walked(
+      roots, [&](std::size_t i) { return edge_at(matrix, letter, poles, roots[i]); },
+      [&](const Rational& value) { return power_growth(matrix_at(matrix, letter, value)); });
+}
+
+Windows bounded_windows(const SquareMatrix<Fraction>& matrix, Letter letter,
+                        const std::vector<AlgebraicLetter>& letters) {
+  const auto occurs = [&](const AlgebraicLetter& a) {
+    return std::ranges::any_of(matrix, [&](const auto& row) {
+      return std::ranges::any_of(row, [&](const Fraction& f) { return f.contains(a.letter); });
+    });
+  };
+  std::vector<AlgebraicLetter> present;
+  for (const AlgebraicLetter& a : letters)
+    if (occurs(a)) present.push_back(a);
+  return present.empty() ? bounded_windows(matrix, letter) : bounded_windows_over(matrix, letter, present);
 }
 
 }  // namespace shortfall

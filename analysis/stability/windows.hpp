@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/algebra/fraction.hpp"
+#include "analysis/stability/algebraic_letter.hpp"
 #include "analysis/stability/power_growth.hpp"
 #include "analysis/stability/square_matrix.hpp"
 
@@ -51,6 +52,9 @@ struct Windows {
 ///
 /// param   matrix  contains no other letter
 Windows bounded_windows(const SquareMatrix<Fraction>& matrix, Letter letter);
+/// The same for entries that contain algebraic letters, too.
+Windows bounded_windows(const SquareMatrix<Fraction>& matrix, Letter letter,
+                        const std::vector<AlgebraicLetter>& letters);
 
 /// A matrix of rational functions of one letter at a number.
 SquareMatrix<Rational> matrix_at(const SquareMatrix<Fraction>& matrix, Letter letter, const Rational& value);
