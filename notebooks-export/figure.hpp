@@ -6,7 +6,8 @@
 
 namespace shortfall {
 
-/// A drawing as a description: panels side by side with axes, regions, curves and labels; no pixel and no command of a drawing program.
+/// A drawing as a description: panels side by side with axes, regions, curves and labels; no pixel and no
+/// command of a drawing program.
 ///
 /// Coordinates are those of the panel's axes. Labels stand at what they name, so that no legend is needed.
 struct Figure {
@@ -60,7 +61,7 @@ struct Figure {
     std::string note;  ///< below the title, in small grey letters: how to read it
     Axis x;
     Axis y;
-    bool equal_scales = false;  ///< one unit is as long upwards as sideways
+    bool equal_scales = false;    ///< one unit is as long upwards as sideways
     std::vector<Region> regions;  ///< drawn first, in this order
     std::vector<Curve> curves;
     std::vector<Mark> marks;

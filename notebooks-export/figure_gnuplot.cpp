@@ -16,9 +16,9 @@ using Ink = Figure::Ink;
 
 // Pixels.
 constexpr int kHeight = 540;
-constexpr int kBelow = 72;    // tics and label of the x axis
-constexpr int kAbove = 108;   // titles
-constexpr int kLeft = 84;     // tics and label of the y axis
+constexpr int kBelow = 72;   // tics and label of the x axis
+constexpr int kAbove = 108;  // titles
+constexpr int kLeft = 84;    // tics and label of the y axis
 constexpr int kRight = 28;
 constexpr int kPlotHeight = kHeight - kBelow - kAbove;
 constexpr int kPlotWidth = 480;
@@ -38,15 +38,24 @@ struct Colour {
 
 Colour colour(Ink ink) {
   switch (ink) {
-    case Ink::black: return {0x22, 0x22, 0x22};
-    case Ink::grey: return {0x8a, 0x8a, 0x8a};
-    case Ink::dark: return {0x5a, 0x5a, 0x5a};
-    case Ink::blue: return {0x00, 0x72, 0xb2};
-    case Ink::sky: return {0x56, 0xb4, 0xe9};
-    case Ink::green: return {0x00, 0x9e, 0x73};
-    case Ink::orange: return {0xe6, 0x9f, 0x00};
-    case Ink::vermillion: return {0xd5, 0x5e, 0x00};
-    case Ink::purple: return {0xcc, 0x79, 0xa7};
+    case Ink::black:
+      return {0x22, 0x22, 0x22};
+    case Ink::grey:
+      return {0x8a, 0x8a, 0x8a};
+    case Ink::dark:
+      return {0x5a, 0x5a, 0x5a};
+    case Ink::blue:
+      return {0x00, 0x72, 0xb2};
+    case Ink::sky:
+      return {0x56, 0xb4, 0xe9};
+    case Ink::green:
+      return {0x00, 0x9e, 0x73};
+    case Ink::orange:
+      return {0xe6, 0x9f, 0x00};
+    case Ink::vermillion:
+      return {0xd5, 0x5e, 0x00};
+    case Ink::purple:
+      return {0xcc, 0x79, 0xa7};
   }
   return {0, 0, 0};
 }
@@ -54,7 +63,9 @@ Colour colour(Ink ink) {
 /// The colour mixed with white, as gnuplot reads it.
 std::string rgb(Ink ink, double strength = 1) {
   const Colour c = colour(ink);
-  const auto mixed = [&](int part) { return static_cast<unsigned>(std::lround(255 - strength * (255 - part))); };
+  const auto mixed = [&](int part) {
+    return static_cast<unsigned>(std::lround(255 - strength * (255 - part)));
+  };
   std::array<char, 16> text{};
   std::snprintf(text.data(), text.size(), "'#%02x%02x%02x'", mixed(c.red), mixed(c.green), mixed(c.blue));
   return text.data();
@@ -75,16 +86,20 @@ std::string quoted(const std::string& text) {
   return result + "'";
 }
 
-std::string axis_label(const Figure::Axis& axis) { return axis.label + (axis.unit.empty() ? "" : " (" + axis.unit + ")"); }
+std::string axis_label(const Figure::Axis& axis) {
+  return axis.label + (axis.unit.empty() ? "" : " (" + axis.unit + ")");
+}
 
 /// Names and writes the blocks of data, and the commands that draw them.
 class PanelWriter {
  public:
-  PanelWriter(const Figure::Panel& panel, int index) : panel_(panel), prefix_("$p" + std::to_string(index) + "_") {
+  PanelWriter(const Figure::Panel& panel, int index)
+      : panel_(panel), prefix_("$p" + std::to_string(index) + "_") {
     for (const Figure::Region& r : panel.regions) add_region(r);
     for (const Figure::Curve& c : panel.curves) add_curve(c);
     for (const Figure::Mark& m : panel.marks)
-      plots_.push_back(block({{m.at}}) + " using 1:2 with points pt 7 ps 1.1 lc rgb " + rgb(m.ink) + " notitle");
+      plots_.push_back(block({{m.at}}) + " using 1:2 with points pt 7 ps 1.1 lc rgb " + rgb(m.ink) +
+                       " notitle");
   }
 
   const std::string& data() const { return data_; }
@@ -116,28 +131,36 @@ class PanelWriter {
 
   void add_region(const Figure::Region& r) {
     for (const Figure::Path& path : r.outlines)
-      plots_.push_back(block({path}) + " using 1:2 with filledcurves closed fillstyle solid noborder fillcolor rgb " + rgb(r.ink, r.strength) + " notitle");
+      plots_.push_back(block({path}) +
+                       " using 1:2 with filledcurves closed fillstyle solid noborder fillcolor rgb " +
+                       rgb(r.ink, r.strength) + " notitle");
   }
 
   void add_curve(const Figure::Curve& c) {
     if (c.paths.empty()) return;
-    plots_.push_back(block(c.paths) + " using 1:2 with lines lw " + number_text(c.width) + (c.dashed ? " dt (6,5)" : " dt solid") + " lc rgb " + rgb(c.ink) + " notitle");
+    plots_.push_back(block(c.paths) + " using 1:2 with lines lw " + number_text(c.width) +
+                     (c.dashed ? " dt (6,5)" : " dt solid") + " lc rgb " + rgb(c.ink) + " notitle");
   }
 
   /// A line of text above the panel, so many pixels up.
   static std::string heading(const std::string& text, int up, const std::string& font, Ink ink) {
-    return "set label " + quoted(text) + " at graph 0,graph " + number_text(1 + up / static_cast<double>(kPlotHeight)) + " left" + font + " textcolor rgb " + rgb(ink) + " front\n";
+    return "set label " + quoted(text) + " at graph 0,graph " +
+           number_text(1 + up / static_cast<double>(kPlotHeight)) + " left" + font + " textcolor rgb " +
+           rgb(ink) + " front\n";
   }
 
   static std::string axis(const std::string& which, const Figure::Axis& a) {
-    return "set " + which + "label " + quoted(axis_label(a)) + " textcolor rgb " + rgb(Ink::black) + "\n" + (a.logarithmic ? "set" : "unset") + " logscale " + which + "\n" +
-           "set " + which + "range [" + number_text(a.low) + ":" + number_text(a.high) + "]\n";
+    return "set " + which + "label " + quoted(axis_label(a)) + " textcolor rgb " + rgb(Ink::black) + "\n" +
+           (a.logarithmic ? "set" : "unset") + " logscale " + which + "\n" + "set " + which + "range [" +
+           number_text(a.low) + ":" + number_text(a.high) + "]\n";
   }
 
   static std::string label(const Figure::Label& l) {
-    const char* align = l.align == Figure::Align::left ? "left" : l.align == Figure::Align::right ? "right" : "center";
-    return "set label " + quoted(l.text) + " at " + number_text(l.at.x) + "," + number_text(l.at.y) + " " + align + " offset 0," + number_text(l.up) + " textcolor rgb " +
-           rgb(l.ink) + " front\n";
+    const char* align = l.align == Figure::Align::left    ? "left"
+                        : l.align == Figure::Align::right ? "right"
+                                                          : "center";
+    return "set label " + quoted(l.text) + " at " + number_text(l.at.x) + "," + number_text(l.at.y) + " " +
+           align + " offset 0," + number_text(l.up) + " textcolor rgb " + rgb(l.ink) + " front\n";
   }
 
   const Figure::Panel& panel_;
@@ -150,10 +173,15 @@ class PanelWriter {
 std::string terminal(ImageFormat format, int width) {
   const std::string pixels = std::to_string(width) + "," + std::to_string(kHeight);
   switch (format) {
-    case ImageFormat::svg: return "set terminal svg size " + pixels + " dynamic noenhanced font 'Helvetica,13' background rgb 'white'\n";
+    case ImageFormat::svg:
+      return "set terminal svg size " + pixels +
+             " dynamic noenhanced font 'Helvetica,13' background rgb 'white'\n";
     case ImageFormat::png:  // twice the pixels, for sharp screens
-      return "set terminal pngcairo size " + std::to_string(2 * width) + "," + std::to_string(2 * kHeight) + " noenhanced font 'DejaVu Sans,11' fontscale 2 linewidth 2 pointscale 2\n";
-    case ImageFormat::pdf: return "set terminal pdfcairo size " + number_text(width / 100.0) + "in," + number_text(kHeight / 100.0) + "in noenhanced font 'DejaVu Sans,11' linewidth 1.4\n";
+      return "set terminal pngcairo size " + std::to_string(2 * width) + "," + std::to_string(2 * kHeight) +
+             " noenhanced font 'DejaVu Sans,11' fontscale 2 linewidth 2 pointscale 2\n";
+    case ImageFormat::pdf:
+      return "set terminal pdfcairo size " + number_text(width / 100.0) + "in," +
+             number_text(kHeight / 100.0) + "in noenhanced font 'DejaVu Sans,11' linewidth 1.4\n";
   }
   return "";
 }
@@ -163,11 +191,13 @@ std::string terminal(ImageFormat format, int width) {
 ImageFormat image_format(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   std::string ending = dot == std::string::npos ? "" : path.substr(dot + 1);
-  std::ranges::transform(ending, ending.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   if (ending == "svg") return ImageFormat::svg;
   if (ending == "png") return ImageFormat::png;
   if (ending == "pdf") return ImageFormat::pdf;
-  throw BadInput("'" + path.substr(0, 200) + "': a figure is written to a file that ends in .svg, .png or .pdf");
+  throw BadInput("'" + path.substr(0, 200) +
+                 "': a figure is written to a file that ends in .svg, .png or .pdf");
 }
 
 std::string gnuplot_script(const Figure& figure, ImageFormat format) {
@@ -178,16 +208,21 @@ std::string gnuplot_script(const Figure& figure, ImageFormat format) {
   std::string drawing;
   int left = 0;
   const auto across = [&](int pixels) { return number_text(static_cast<double>(pixels) / width); };
-  const std::string upright = "set bmargin at screen " + number_text(static_cast<double>(kBelow) / kHeight) + "\nset tmargin at screen " +
+  const std::string upright = "set bmargin at screen " + number_text(static_cast<double>(kBelow) / kHeight) +
+                              "\nset tmargin at screen " +
                               number_text(1 - static_cast<double>(kAbove) / kHeight) + "\n";
   for (std::size_t i = 0; i < figure.panels.size(); ++i) {
     const PanelWriter writer(figure.panels[i], static_cast<int>(i));
     script += writer.data();
     left += kLeft;
-    drawing += "set lmargin at screen " + across(left) + "\nset rmargin at screen " + across(left + plot_width(figure.panels[i])) + "\n" + writer.commands(i == 0 ? figure.title : "");
+    drawing += "set lmargin at screen " + across(left) + "\nset rmargin at screen " +
+               across(left + plot_width(figure.panels[i])) + "\n" +
+               writer.commands(i == 0 ? figure.title : "");
     left += plot_width(figure.panels[i]) + kRight;
   }
-  script += "set border 3 lw 1 lc rgb " + rgb(Ink::grey) + "\nset tics nomirror out scale 0.6 textcolor rgb " + rgb(Ink::black) + "\nset key off\nset clip one\nset clip two\n" + upright;
+  script += "set border 3 lw 1 lc rgb " + rgb(Ink::grey) +
+            "\nset tics nomirror out scale 0.6 textcolor rgb " + rgb(Ink::black) +
+            "\nset key off\nset clip one\nset clip two\n" + upright;
   return script + "set multiplot\n" + drawing + "unset multiplot\n";
 }
 

@@ -32,12 +32,20 @@ Json number_json(const RealRoot& r) {
 Json growth_json(const PowerGrowth& growth) {
   using Kind = PowerGrowth::Kind;
   Json json;
-  json["growth"] = growth.kind == Kind::exponential ? "exponential" : growth.bounded() ? "bounded" : growth.degree == 1 ? "linear" : "polynomial";
+  json["growth"] = growth.kind == Kind::exponential ? "exponential"
+                   : growth.bounded()               ? "bounded"
+                   : growth.degree == 1             ? "linear"
+                                                    : "polynomial";
   json["degree"] = growth.degree;
   Json eigenvalues = Json::array();
   for (const CircleEigenvalues& e : growth.circle) {
-    const char* value = e.kind == CircleEigenvalues::Kind::plus_one ? "1" : e.kind == CircleEigenvalues::Kind::minus_one ? "-1" : "pairs";
-    Json one{{"value", value}, {"count", e.count}, {"multiplicity", e.multiplicity}, {"largest_jordan_block", e.largest_block}};
+    const char* value = e.kind == CircleEigenvalues::Kind::plus_one    ? "1"
+                        : e.kind == CircleEigenvalues::Kind::minus_one ? "-1"
+                                                                       : "pairs";
+    Json one{{"value", value},
+             {"count", e.count},
+             {"multiplicity", e.multiplicity},
+             {"largest_jordan_block", e.largest_block}};
     if (e.cosine) one["cosine"] = e.cosine->str();
     eigenvalues.push_back(std::move(one));
   }
@@ -74,7 +82,10 @@ Json limit_json(const Windows& windows) {
 }
 
 const char* summary(const Windows& windows) {
-  return windows.always() ? "always" : windows.windows.empty() ? "never" : windows.from_zero() ? "below limit" : "not for small steps";
+  return windows.always()          ? "always"
+         : windows.windows.empty() ? "never"
+         : windows.from_zero()     ? "below limit"
+                                   : "not for small steps";
 }
 
 Json at_limit_json(const Stability& s) {
@@ -94,7 +105,9 @@ Json at_limit_json(const Stability& s) {
 }
 
 void add_amplification(Json& json, const Amplification& a) {
-  const auto text = [&](const Fraction& f) { return print(stability_formula(f, a, StabilityLetters::factors)); };
+  const auto text = [&](const Fraction& f) {
+    return print(stability_formula(f, a, StabilityLetters::factors));
+  };
   json["trace"] = a.pair.empty() ? Json(nullptr) : Json(text(a.trace()));
   json["determinant"] = a.pair.empty() ? Json(nullptr) : Json(text(a.determinant()));
   json["characteristic"] = print(characteristic_formula(a, StabilityLetters::factors));
@@ -105,10 +118,13 @@ void add_amplification(Json& json, const Amplification& a) {
 Json drag_json(const Stability& s) {
   if (!s.drag) return nullptr;
   Json json;
-  json["factor"] = s.drag->factor && s.substeps == 1 ? Json(print(stability_formula(*s.drag->factor, *s.damped, StabilityLetters::factors))) : Json(nullptr);
+  json["factor"] = s.drag->factor && s.substeps == 1
+                       ? Json(print(stability_formula(*s.drag->factor, *s.damped, StabilityLetters::factors)))
+                       : Json(nullptr);
   json["turns_round"] = Json::array();
   for (const Drag::Reversal& r : s.drag->reversals)
-    json["turns_round"].push_back({{"from", number_json(r.from)}, {"to", r.to ? number_json(*r.to) : Json(nullptr)}});
+    json["turns_round"].push_back(
+        {{"from", number_json(r.from)}, {"to", r.to ? number_json(*r.to) : Json(nullptr)}});
   json["stable"] = summary(s.drag->windows);
   json["limit"] = limit_json(s.drag->windows);
   json["windows"] = windows_json(s.drag->windows);
@@ -126,7 +142,10 @@ Json function_json(const Stability& s) {
           {"poles_right", p.poles_right},
           {"size_at_infinity", far ? Json(far->str()) : Json(nullptr)},
           {"exceeds_1_at_imaginary", p.violated_at ? Json(p.violated_at->str()) : Json(nullptr)},
-          {"real_axis", {{"stable", summary(p.real_axis)}, {"limit", limit_json(p.real_axis)}, {"windows", windows_json(p.real_axis)}}}};
+          {"real_axis",
+           {{"stable", summary(p.real_axis)},
+            {"limit", limit_json(p.real_axis)},
+            {"windows", windows_json(p.real_axis)}}}};
 }
 
 }  // namespace
@@ -151,7 +170,8 @@ Json as_json(const Stability& s) {
     json["damped"] = std::move(damped);
   }
   json["stability_function"] = function_json(s);
-  json["proof"] = {{"kind", "exact"}, {"critical_values", s.windows.points}, {"rational_samples", s.windows.cells}};
+  json["proof"] = {
+      {"kind", "exact"}, {"critical_values", s.windows.points}, {"rational_samples", s.windows.cells}};
   return json;
 }
 

@@ -18,7 +18,8 @@ FormulaLetters letters_of(const Amplification& a, StabilityLetters letters) {
     result.powers = {{kStiffness, "z", 2}, {kDamping, "d"}};
   else
     result.powers = {{kStepLetter, "h"}, {kStiffness, "w", 2}, {kDamping, "c"}};
-  for (std::size_t i = kFirstParameter; i < a.letters.size(); ++i) result.parameters.push_back({static_cast<Letter>(i), a.letters[i]});
+  for (std::size_t i = kFirstParameter; i < a.letters.size(); ++i)
+    result.parameters.push_back({static_cast<Letter>(i), a.letters[i]});
   return result;
 }
 
@@ -28,7 +29,9 @@ std::string trimmed(const std::string& decimal) {
   return decimal.substr(0, decimal[last] == '.' ? last : last + 1);
 }
 
-std::string below(Style style, bool included) { return !included ? " < " : style == Style::unicode ? " ≤ " : " <= "; }
+std::string below(Style style, bool included) {
+  return !included ? " < " : style == Style::unicode ? " ≤ " : " <= ";
+}
 
 std::string times(int n) { return n == 1 ? "once" : n == 2 ? "twice" : std::to_string(n) + " times"; }
 
@@ -36,17 +39,22 @@ std::string minus(Style style) { return style == Style::unicode ? "−" : "-"; }
 
 std::string polynomial_words(const RealRoot& r, Style style) {
   const std::string text = print(polynomial_formula(r.polynomial(), "x"), style);
-  return text.size() <= kLongestPolynomial ? text : "a polynomial of degree " + std::to_string(r.degree()) + " that --json shows";
+  return text.size() <= kLongestPolynomial
+             ? text
+             : "a polynomial of degree " + std::to_string(r.degree()) + " that --json shows";
 }
 
-std::string growth_words(int degree) { return degree == 1 ? "grows linearly" : "grows like n^" + std::to_string(degree); }
+std::string growth_words(int degree) {
+  return degree == 1 ? "grows linearly" : "grows like n^" + std::to_string(degree);
+}
 
 }  // namespace
 
 Expr stability_formula(const Fraction& f, const Amplification& a, StabilityLetters letters) {
   if (letters == StabilityLetters::products) return letter_formula(f, letters_of(a, letters));
   const Fraction h = Fraction::letter(kStepLetter);
-  const Fraction written = f.substitute(kStiffness, h * h * Fraction::letter(kStiffness)).substitute(kDamping, h * Fraction::letter(kDamping));
+  const Fraction written = f.substitute(kStiffness, h * h * Fraction::letter(kStiffness))
+                               .substitute(kDamping, h * Fraction::letter(kDamping));
   return letter_formula(written, letters_of(a, letters));
 }
 
@@ -62,7 +70,8 @@ Expr characteristic_formula(const Amplification& a, StabilityLetters letters) {
 }
 
 Expr stability_function_formula(const StabilityFunction& r) {
-  const Fraction f(Polynomial::in(kStiffness, r.numerator.coefficients()), Polynomial::in(kStiffness, r.denominator.coefficients()));
+  const Fraction f(Polynomial::in(kStiffness, r.numerator.coefficients()),
+                   Polynomial::in(kStiffness, r.denominator.coefficients()));
   return letter_formula(f, {{{kStiffness, "z"}}, {}});
 }
 
@@ -78,7 +87,8 @@ std::string exact_number(const RealRoot& r, Style style, int digits) {
 
 std::string isolation_words(const RealRoot& r, Style style) {
   const Isolation between = isolation(r);
-  return "the only root of " + polynomial_words(r, style) + " between " + between.low + " and " + between.high;
+  return "the only root of " + polynomial_words(r, style) + " between " + between.low + " and " +
+         between.high;
 }
 
 std::string short_exact(const RealRoot& r, Style style) {
@@ -90,7 +100,8 @@ std::string short_exact(const RealRoot& r, Style style) {
 std::string window_text(const Window& w, const std::string& letter, Style style) {
   const auto edge = [&](const WindowEdge& e) { return short_exact(e.at, style); };
   if (w.is_point()) return letter + " = " + edge(*w.from);
-  return (w.from ? edge(*w.from) : "0") + below(style, w.from && w.from_included) + letter + (w.to ? below(style, w.to_included) + edge(*w.to) : "");
+  return (w.from ? edge(*w.from) : "0") + below(style, w.from && w.from_included) + letter +
+         (w.to ? below(style, w.to_included) + edge(*w.to) : "");
 }
 
 std::string growth_sentence(const PowerGrowth& growth, const LimitMotion* motion, Style style) {
@@ -111,14 +122,17 @@ std::string growth_reason(const PowerGrowth& growth, Style style) {
     if (!text.empty()) text += "; ";
     const bool pair = e.kind == CircleEigenvalues::Kind::pairs;
     if (!pair)
-      text += "eigenvalue " + (e.kind == CircleEigenvalues::Kind::plus_one ? std::string("1") : minus(style) + "1");
+      text += "eigenvalue " +
+              (e.kind == CircleEigenvalues::Kind::plus_one ? std::string("1") : minus(style) + "1");
     else if (e.cosine)
-      text += "a pair of eigenvalues on the unit circle: each step turns by arccos(" + print(number(*e.cosine), style) + ")";
+      text += "a pair of eigenvalues on the unit circle: each step turns by arccos(" +
+              print(number(*e.cosine), style) + ")";
     else
       text += std::to_string(e.count) + " eigenvalues on the unit circle";
     if (e.multiplicity > 1)
       text += (pair ? ", each " : " ") + times(e.multiplicity) +
-              (e.largest_block == 1 ? ", diagonalisable" : ", in a Jordan block of size " + std::to_string(e.largest_block));
+              (e.largest_block == 1 ? ", diagonalisable"
+                                    : ", in a Jordan block of size " + std::to_string(e.largest_block));
   }
   return text;
 }

@@ -40,6 +40,7 @@ class Univariate {
   Univariate reversed() const { return std::vector<F>(coefficients_.rbegin(), coefficients_.rend()); }
   /// Divided by its leading coefficient.
   Univariate monic() const {
+    if (leading() == F(1)) return *this;
     Univariate result = *this;
     for (F& c : result.coefficients_) c = c / leading();
     return result;

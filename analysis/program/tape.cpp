@@ -5,6 +5,7 @@
 #include <set>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/program/print.hpp"
 #include "analysis/program/suggest.hpp"
 
 namespace shortfall {
@@ -301,7 +302,12 @@ Values parameter_values(const Program& program, const Values& given) {
   Values values;
   for (const Parameter& p : program.parameters) {
     const auto found = given.find(p.name);
-    values[p.name] = found != given.end() ? found->second : value_of(p.fallback, values);
+    try {
+      values[p.name] = found != given.end() ? found->second : value_of(p.fallback, values);
+    } catch (const Undefined& e) {
+      throw Undefined(program.name + ": the default " + p.name + " = " + print(p.fallback) +
+                      " has no value: " + e.what());
+    }
   }
   return values;
 }

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "analysis/stability/resultant.hpp"
 #include "analysis/algebra/sturm.hpp"
+#include "analysis/stability/resultant.hpp"
 
 namespace shortfall {
 
@@ -26,12 +26,13 @@ Polynomial remainder(const Polynomial& p, const AlgebraicLetter& a) {
     for (std::size_t k = 0; k < degree; ++k) rest[shift + k] += top * Polynomial(m[static_cast<int>(k)]);
   }
   Polynomial result;
-  for (std::size_t k = 0; k < rest.size(); ++k) result += rest[k] * Polynomial::letter(a.letter, static_cast<int>(k));
+  for (std::size_t k = 0; k < rest.size(); ++k)
+    result += rest[k] * Polynomial::letter(a.letter, static_cast<int>(k));
   return result;
 }
 
-/// s and n with s * p = n modulo the letter's polynomial, n free of the letter: by the characteristic polynomial of
-/// multiplication by p, which p itself is a root of.
+/// s and n with s * p = n modulo the letter's polynomial, n free of the letter: by the characteristic
+/// polynomial of multiplication by p, which p itself is a root of.
 std::pair<Polynomial, Polynomial> cofactor_and_norm(const Polynomial& p, const AlgebraicLetter& a) {
   const int degree = a.value.degree();
   SquareMatrix<Fraction> multiplication(static_cast<std::size_t>(degree),
@@ -80,10 +81,10 @@ CommonField joined(const RealRoot& r, const RealRoot& s) {
   };
   for (int k = 1;; ++k) {
     // r + k s = w: s is x, and r is w - k x.
-    const Polynomial shifted_r = in(r, kUnknown).substitute(
-        kUnknown, Polynomial::letter(kGenerator) - Polynomial::letter(kUnknown) * Polynomial(k));
-    const Univariate<Rational> sums =
-        univariate(resultant(in(s, kUnknown), shifted_r, kUnknown), kGenerator);
+    const Polynomial shifted_r = in(r, kUnknown)
+                                     .substitute(kUnknown, Polynomial::letter(kGenerator) -
+                                                               Polynomial::letter(kUnknown) * Polynomial(k));
+    const Univariate<Rational> sums = univariate(resultant(in(s, kUnknown), shifted_r, kUnknown), kGenerator);
     if (gcd(sums, sums.derivative()).degree() > 0) continue;
     const auto generator = std::make_shared<const RealRoot>(chosen_sum(sums, r, s, k));
     const Algebraic w(Univariate<Rational>({0, 1}), generator);
@@ -146,8 +147,8 @@ CommonField common_field(const std::vector<AlgebraicLetter>& letters) {
   return field;
 }
 
-Univariate<Algebraic> over_field(const Polynomial& p, Letter letter, const std::vector<AlgebraicLetter>& letters,
-                                 const CommonField& field) {
+Univariate<Algebraic> over_field(const Polynomial& p, Letter letter,
+                                 const std::vector<AlgebraicLetter>& letters, const CommonField& field) {
   std::vector<Algebraic> result;
   for (const Polynomial& c : p.coefficients(letter)) {
     Algebraic sum;
@@ -169,7 +170,8 @@ Univariate<Algebraic> over_field(const Polynomial& p, Letter letter, const std::
 Univariate<Rational> norm(const Univariate<Algebraic>& p, const Algebraic::Generator& generator) {
   Polynomial in_letters;
   for (int k = 0; k <= p.degree(); ++k)
-    in_letters += Polynomial::in(kGenerator, p[k].polynomial().coefficients()) * Polynomial::letter(kUnknown, k);
+    in_letters +=
+        Polynomial::in(kGenerator, p[k].polynomial().coefficients()) * Polynomial::letter(kUnknown, k);
   if (!generator) return univariate(in_letters, kUnknown);
   const Polynomial m = Polynomial::in(kGenerator, generator->polynomial().coefficients());
   return univariate(resultant(m, in_letters, kGenerator), kUnknown);
@@ -193,8 +195,8 @@ std::vector<RootOver> positive_roots(const std::vector<Univariate<Algebraic>>& p
       if (root.is_rational()) {
         if (!p.at(Algebraic(root.low())).is_zero()) continue;
       } else if (p.at(Algebraic(root.low())).sign() == p.at(Algebraic(root.high())).sign()) {
-        // Nothing else can be a root there: of p an even number of times, or of conjugates only. A simple root of the norm is
-        // a simple root of one conjugate.
+        // Nothing else can be a root there: of p an even number of times, or of conjugates only. A simple
+        // root of the norm is a simple root of one conjugate.
         if (!divided(rest, root.polynomial()).second.is_zero()) continue;
         const Univariate<Algebraic> part = gcd(p, lifted(root.polynomial()));
         if (part.degree() < 1 || Sturm<Algebraic>(part).roots_between(root.low(), root.high()) == 0) continue;

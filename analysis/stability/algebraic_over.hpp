@@ -8,20 +8,22 @@
 
 namespace shortfall {
 
-/// A number of the field K(s) that a real root s of a polynomial over K generates, K = Q(r) itself a field of real algebraic
-/// numbers: exact and ordered.
+/// A number of the field K(s) that a real root s of a polynomial over K generates, K = Q(r) itself a field of
+/// real algebraic numbers: exact and ordered.
 ///
-/// Invariant: a polynomial in s over K, of lower degree than the modulus was when the number was made. The modulus may be
-/// reducible; where a number turns out to share a factor with it, a factor that has the root s takes its place. Elements of K belong to every field; two others must share their generator.
+/// Invariant: a polynomial in s over K, of lower degree than the modulus was when the number was made. The
+/// modulus may be reducible; where a number turns out to share a factor with it, a factor that has the root s
+/// takes its place. Elements of K belong to every field; two others must share their generator.
 ///
-/// source  Della Dora, Dicrescenzo & Duval (1985), About a new method for computing in algebraic number fields
+/// source  Della Dora, Dicrescenzo & Duval (1985), About a new method for computing in algebraic number
+/// fields
 class AlgebraicOver {
  public:
   /// s, and what is known of it so far.
   struct Extension {
-    Algebraic::Generator base;       ///< r; none when K is Q
-    RealRoot root;                   ///< s, as a number over Q
-    Univariate<Algebraic> modulus;   ///< s is its only root in the root's interval
+    Algebraic::Generator base;      ///< r; none when K is Q
+    RealRoot root;                  ///< s, as a number over Q
+    Univariate<Algebraic> modulus;  ///< s is its only root in the root's interval
   };
   using Generator = std::shared_ptr<Extension>;
 

@@ -29,7 +29,10 @@ Polynomial cleared(const std::vector<Fraction>& p) {
 
 /// Whether a factor has the root 1 where there is no force.
 bool belongs_to_motion(const Polynomial& factor) {
-  return factor.substitute(kStiffness, Rational(0)).substitute(kDamping, Rational(0)).substitute(kEigenvalue, Rational(1)).is_zero();
+  return factor.substitute(kStiffness, Rational(0))
+      .substitute(kDamping, Rational(0))
+      .substitute(kEigenvalue, Rational(1))
+      .is_zero();
 }
 
 void split(Amplification& a) {
@@ -84,7 +87,8 @@ Amplification amplification(const Program& program, const Values& given, Damping
   for (auto& row : map.matrix()) {
     matrix.emplace_back();
     for (const Fraction& f : row) {
-      if (f.contains(kCount)) throw Unable("the step of " + program.name + " changes with t, so it has no amplification matrix");
+      if (f.contains(kCount))
+        throw Unable("the step of " + program.name + " changes with t, so it has no amplification matrix");
       matrix.back().push_back(f.substitute(kStepLetter, Fraction(1)));
     }
   }
@@ -96,7 +100,8 @@ Amplification repeated(const Amplification& step, int count) {
   SquareMatrix<Fraction> once = step.matrix;
   for (auto& row : once)
     for (Fraction& f : row)
-      f = f.substitute(kStiffness, Fraction::letter(kStiffness) / Fraction(count * count)).substitute(kDamping, Fraction::letter(kDamping) / Fraction(count));
+      f = f.substitute(kStiffness, Fraction::letter(kStiffness) / Fraction(count * count))
+              .substitute(kDamping, Fraction::letter(kDamping) / Fraction(count));
   SquareMatrix<Fraction> matrix = once;
   for (int k = 1; k < count; ++k) matrix = reduced(product(matrix, once), step.algebraic);
   return amplification(std::move(matrix), step.letters, step.states, step.algebraic);
@@ -104,6 +109,8 @@ Amplification repeated(const Amplification& step, int count) {
 
 Fraction trace(const Program& program, const Values& given) { return amplification(program, given).trace(); }
 
-Fraction determinant(const Program& program, const Values& given) { return amplification(program, given).determinant(); }
+Fraction determinant(const Program& program, const Values& given) {
+  return amplification(program, given).determinant();
+}
 
 }  // namespace shortfall

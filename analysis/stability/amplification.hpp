@@ -14,17 +14,22 @@ namespace shortfall {
 
 /// What one step multiplies the carried vectors by under x'' = -k x - c v.
 ///
-/// Measured in units of the step (h = 1), where it depends on y = h^2 k and d = c h only: y stands in the letter of k, d in that of c, and a
-/// parameter of dimension T^-j stands for its product with h^j. The characteristic polynomial is z^zeros times `nonzero`.
+/// Measured in units of the step (h = 1), where it depends on y = h^2 k and d = c h only: y stands in the
+/// letter of k, d in that of c, and a parameter of dimension T^-j stands for its product with h^j. The
+/// characteristic polynomial is z^zeros times `nonzero`.
 struct Amplification {
   std::vector<std::string> letters;  ///< names, see letters.hpp
   std::vector<std::string> states;   ///< names of the carried vectors
-  std::vector<AlgebraicLetter> algebraic;  ///< letters that stand for numbers; all formulas are reduced by them
+  std::vector<AlgebraicLetter>
+      algebraic;  ///< letters that stand for numbers; all formulas are reduced by them
   SquareMatrix<Fraction> matrix;
-  int zeros = 0;                  ///< multiplicity of the eigenvalue 0: carried vectors that follow from the others, or are not used
+  int zeros =
+      0;  ///< multiplicity of the eigenvalue 0: carried vectors that follow from the others, or are not used
   std::vector<Fraction> nonzero;  ///< monic, lowest power first
-  std::vector<Fraction> pair;     ///< the factor {D, -T, 1} that tends to (z - 1)^2 as h -> 0; empty when it is no factor over the rational functions
-  std::vector<Fraction> spurious{Fraction(1)};  ///< nonzero / pair, {1} when nothing is left; meaningful when there is a pair
+  std::vector<Fraction> pair;  ///< the factor {D, -T, 1} that tends to (z - 1)^2 as h -> 0; empty when it is
+                               ///< no factor over the rational functions
+  std::vector<Fraction> spurious{
+      Fraction(1)};  ///< nonzero / pair, {1} when nothing is left; meaningful when there is a pair
 
   /// Of the pair that approximates the motion.
   ///
@@ -40,19 +45,22 @@ struct Amplification {
 /// param   letters    names of all letters that occur, see letters.hpp
 /// param   algebraic  those that stand for algebraic numbers, such as the root of 2 = w^3
 /// throws  Undefined  when a denominator is zero with these numbers
-Amplification amplification(SquareMatrix<Fraction> matrix, std::vector<std::string> letters, std::vector<std::string> states,
-                            std::vector<AlgebraicLetter> algebraic = {});
+Amplification amplification(SquareMatrix<Fraction> matrix, std::vector<std::string> letters,
+                            std::vector<std::string> states, std::vector<AlgebraicLetter> algebraic = {});
 
 enum class Damping { none, viscous };
 
 /// param   program  run once per step; frames of several substeps: see `repeated`
-/// throws  Unable  when the step depends on t, or has too many free parameters;  Undefined  when a stage is singular
-Amplification amplification(const Program& program, const Values& given = {}, Damping damping = Damping::none);
+/// throws  Unable  when the step depends on t, or has too many free parameters;  Undefined  when a stage is
+/// singular
+Amplification amplification(const Program& program, const Values& given = {},
+                            Damping damping = Damping::none);
 
 /// Of a frame of `count` steps, each of 1/count of the frame's h.
 Amplification repeated(const Amplification& step, int count);
 
-/// For claims about the undamped oscillator x'' = -w^2 x: trace and determinant of its pair, in the letter of k for h^2 w^2.
+/// For claims about the undamped oscillator x'' = -w^2 x: trace and determinant of its pair, in the letter of
+/// k for h^2 w^2.
 Fraction trace(const Program& program, const Values& given = {});
 Fraction determinant(const Program& program, const Values& given = {});
 

@@ -34,7 +34,8 @@ Drag drag(const Amplification& damped) {
   for (auto& row : m)
     for (Fraction& f : row) f = f.substitute(kStiffness, Fraction());
   Drag result;
-  if (!damped.pair.empty() && damped.spurious_count() == 0) result.factor = damped.determinant().substitute(kStiffness, Fraction());
+  if (!damped.pair.empty() && damped.spurious_count() == 0)
+    result.factor = damped.determinant().substitute(kStiffness, Fraction());
   result.windows = bounded_windows(m, kDamping, damped.algebraic);
   if (result.factor) result.reversals = reversals_of(*result.factor, kDamping, damped.algebraic);
   return result;

@@ -11,7 +11,8 @@ namespace shortfall {
 
 /// What a step does to a velocity that only drag acts on, x'' = -c v, in terms of d = c h.
 struct Drag {
-  std::optional<Fraction> factor;  ///< each step multiplies the velocity by it, d in the letter of c; none with further eigenvalues
+  std::optional<Fraction> factor;  ///< each step multiplies the velocity by it, d in the letter of c; none
+                                   ///< with further eigenvalues
   Windows windows;                 ///< where the motion stays bounded
   /// Where each step turns the velocity round: the factor is negative.
   struct Reversal {

@@ -9,7 +9,8 @@ Isolation isolation(const RealRoot& number) {
   const Sturm<Rational> sturm(number.polynomial());
   for (int places = 1;; ++places) {
     const Rational unit = Rational(10).pow(-places);
-    // No decimal is a root of an irreducible polynomial of higher degree: the floors of both ends agree in the end.
+    // No decimal is a root of an irreducible polynomial of higher degree: the floors of both ends agree in
+    // the end.
     RealRoot narrow = number.refined(unit / 2);
     while ((narrow.low() / unit).floor() != (narrow.high() / unit).floor())
       narrow = narrow.refined((narrow.high() - narrow.low()) / 2);

@@ -7,8 +7,8 @@
 
 namespace shortfall {
 
-/// The shortest interval between two neighbouring decimals that tells a root from the others of its polynomial: 2.8 and 2.9 for
-/// the positive root of x^2 - 8.
+/// The shortest interval between two neighbouring decimals that tells a root from the others of its
+/// polynomial: 2.8 and 2.9 for the positive root of x^2 - 8.
 struct Isolation {
   std::string low;
   std::string high;

@@ -13,7 +13,8 @@ using Names = std::vector<FormulaLetters::Name>;
 
 Expr powers_of(const Monomial& monomial, const Names& names) {
   Expr product = number(1);
-  for (const auto& [letter, written, times] : names) product = product * power(name(written), times * monomial.exponent(letter));
+  for (const auto& [letter, written, times] : names)
+    product = product * power(name(written), times * monomial.exponent(letter));
   return product;
 }
 
@@ -45,12 +46,15 @@ std::vector<Group> groups(const Polynomial& p, const FormulaLetters& letters) {
     found->coefficient += Polynomial::from_terms({{only(t.monomial, letters.parameters), t.coefficient}});
   }
   std::ranges::sort(result, [](const Group& a, const Group& b) {
-    return a.powers.total_degree() != b.powers.total_degree() ? a.powers.total_degree() < b.powers.total_degree() : b.powers < a.powers;
+    return a.powers.total_degree() != b.powers.total_degree()
+               ? a.powers.total_degree() < b.powers.total_degree()
+               : b.powers < a.powers;
   });
   return result;
 }
 
-Expr written(const Polynomial& p, const FormulaLetters& letters, const Expr& times = nullptr, const Expr& divisor = number(1)) {
+Expr written(const Polynomial& p, const FormulaLetters& letters, const Expr& times = nullptr,
+             const Expr& divisor = number(1)) {
   if (p.is_zero()) return number(0);
   const std::vector<Group> parts = groups(p, letters);
   if (times && parts.size() > 1) return all_of(number(1), written(p, letters), times, divisor);
@@ -60,7 +64,8 @@ Expr written(const Polynomial& p, const FormulaLetters& letters, const Expr& tim
     const Polynomial size = negative ? -g.coefficient : g.coefficient;
     Expr coefficient = number(0);
     if (size.terms().size() == 1)
-      coefficient = number(size.terms().front().coefficient) * powers_of(size.terms().front().monomial, letters.parameters);
+      coefficient = number(size.terms().front().coefficient) *
+                    powers_of(size.terms().front().monomial, letters.parameters);
     else
       coefficient = written(size, {letters.parameters, {}});
     const Expr part = all_of(coefficient, powers_of(g.powers, letters.powers), times, divisor);
@@ -86,7 +91,9 @@ Expr factors_of(const Polynomial& p, const FormulaLetters& letters, Rational& co
   // Single letters first.
   for (const bool single : {true, false})
     for (const auto& [base, multiplicity] : f.factors)
-      if ((base.terms().size() == 1) == single) product = chained(product, power(written(whole(base, multiplicity, letters, constant), letters), multiplicity));
+      if ((base.terms().size() == 1) == single)
+        product = chained(
+            product, power(written(whole(base, multiplicity, letters, constant), letters), multiplicity));
   return product;
 }
 
@@ -94,9 +101,11 @@ Expr factors_of(const Polynomial& p, const FormulaLetters& letters, Rational& co
 
 Expr letter_formula(const Fraction& f, const FormulaLetters& letters, const Expr& times) {
   if (f.is_zero()) return number(0);
-  if (f.denominator().terms().size() == 1) return written(f.numerator(), letters, times, written(f.denominator(), letters));
+  if (f.denominator().terms().size() == 1)
+    return written(f.numerator(), letters, times, written(f.denominator(), letters));
   Rational above, below;
-  const Expr numerator = factors_of(f.numerator(), letters, above), denominator = factors_of(f.denominator(), letters, below);
+  const Expr numerator = factors_of(f.numerator(), letters, above),
+             denominator = factors_of(f.denominator(), letters, below);
   const Rational constant = above / below;
   Expr top = chained(number(constant.numerator().abs()), numerator);
   if (times) top = top * times;

@@ -20,7 +20,8 @@ struct FormulaLetters {
   std::vector<Name> parameters;  ///< these belong to the coefficients
 };
 
-/// A rational function as people write amplification factors: lowest powers first; a quotient with whole coefficients, both sides in factors.
+/// A rational function as people write amplification factors: lowest powers first; a quotient with whole
+/// coefficients, both sides in factors.
 ///
 /// param   times  one more factor, if there is one: (1 + 2*n)*x0
 Expr letter_formula(const Fraction& f, const FormulaLetters& letters, const Expr& times = nullptr);

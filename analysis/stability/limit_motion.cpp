@@ -39,7 +39,8 @@ Expr formula_of(const Motion& motion) {
       total = joined(total, part);
       continue;
     }
-    const Expr power_of_base = binary(Expression::Op::power, letter_formula(base, {{{kStepLetter, "h"}}, {}}), name("n"));
+    const Expr power_of_base =
+        binary(Expression::Op::power, letter_formula(base, {{{kStepLetter, "h"}}, {}}), name("n"));
     total = joined(total, is_number(part, 1) ? power_of_base : power_of_base * part);
   }
   return total;
@@ -49,7 +50,8 @@ Expr formula_of(const Motion& motion) {
 Expr growth_of(const Motion& motion) {
   int degree = 0;
   for (const Sequence& column : motion)
-    for (const Sequence::Term& t : column.terms()) degree = std::max(degree, t.coefficient.numerator().degree(kCount));
+    for (const Sequence::Term& t : column.terms())
+      degree = std::max(degree, t.coefficient.numerator().degree(kCount));
   if (degree == 0) return number(0);
   for (const Fraction& base : bases(motion)) {
     std::vector<Fraction> leading;
@@ -63,15 +65,18 @@ Expr growth_of(const Motion& motion) {
     if (leading[0].is_zero()) return name("v0");
     const Fraction ratio = leading[1] / leading[0];
     Rational common = 1;
-    for (const Polynomial::Term& t : ratio.numerator().terms()) common *= (common * t.coefficient).denominator();
-    return combination(Fraction(ratio.denominator()) * Fraction(common), Fraction(ratio.numerator()) * Fraction(common));
+    for (const Polynomial::Term& t : ratio.numerator().terms())
+      common *= (common * t.coefficient).denominator();
+    return combination(Fraction(ratio.denominator()) * Fraction(common),
+                       Fraction(ratio.numerator()) * Fraction(common));
   }
   return number(0);
 }
 
 }  // namespace
 
-std::optional<LimitMotion> limit_motion(const Program& program, const Values& parameters, int substeps, const Rational& y) {
+std::optional<LimitMotion> limit_motion(const Program& program, const Values& parameters, int substeps,
+                                        const Rational& y) {
   const Program frame = substeps == 1 ? program : substepped(program, substeps);
   const StepMap map = step_map(lower(frame, parameters), -1, Fraction(y) / Fraction::letter(kStepLetter, 2));
   const ClosedForm form = closed_form(map);

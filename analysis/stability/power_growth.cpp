@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "analysis/stability/square_matrix.hpp"
 #include "analysis/algebra/sturm.hpp"
+#include "analysis/stability/square_matrix.hpp"
 
 namespace shortfall {
 
@@ -65,13 +65,15 @@ std::optional<Rational> as_rational(const F& value) {
 
 /// The eigenvalues on the circle among the roots of a square-free p; false when some root lies outside.
 template <class F>
-bool circle_parts(const Univariate<F>& p, int multiplicity, std::vector<Part<F>>& parts, Univariate<F>& inside) {
+bool circle_parts(const Univariate<F>& p, int multiplicity, std::vector<Part<F>>& parts,
+                  Univariate<F>& inside) {
   using Kind = CircleEigenvalues::Kind;
   Univariate<F> shared = gcd(p, p.reversed());
   inside = divided(p, shared).first;
   if (!inside_unit_circle(inside)) return false;
   for (const auto& [kind, value] : {std::pair{Kind::plus_one, F(1)}, {Kind::minus_one, F(-1)}})
-    if (take_root(shared, value)) parts.push_back({{kind, 1, multiplicity, 1, {}}, Univariate<F>({-value, F(1)})});
+    if (take_root(shared, value))
+      parts.push_back({{kind, 1, multiplicity, 1, {}}, Univariate<F>({-value, F(1)})});
   if (shared.degree() < 1) return true;
   const Univariate<F> sums = in_sum_with_inverse(shared);
   if (Sturm<F>(sums).roots_between(F(-2), F(2)) != sums.degree()) return false;
@@ -110,7 +112,8 @@ PowerGrowth power_growth(const std::vector<std::vector<F>>& matrix) {
     if (part.eigenvalues.multiplicity > 1) {
       Univariate<F> rest = others;
       for (const Part<F>& other : parts)
-        for (int k = 0; &other != &part && k < other.eigenvalues.multiplicity; ++k) rest = rest * other.factor;
+        for (int k = 0; &other != &part && k < other.eigenvalues.multiplicity; ++k)
+          rest = rest * other.factor;
       auto left = evaluated(rest, matrix);
       const auto step = evaluated(part.factor, matrix);
       int block = 0;

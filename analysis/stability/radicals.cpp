@@ -46,17 +46,21 @@ Expr surd_formula(const Surd& s) {
   const Expr radical = term((q * common).abs(), call("sqrt", {number(root.inside)}));
   if (p.is_zero()) return (q.sign() < 0 ? negate(radical) : radical) / number(common);
   // A positive term first.
-  Expr sum = q.sign() > 0 && p.sign() < 0   ? radical - number(-p * common)
-             : q.sign() > 0                 ? number(p * common) + radical
-                                            : number(p * common) - radical;
+  Expr sum = q.sign() > 0 && p.sign() < 0 ? radical - number(-p * common)
+             : q.sign() > 0               ? number(p * common) + radical
+                                          : number(p * common) - radical;
   return sum / number(common);
 }
 
 /// sqrt(s) as a sum of two simpler roots, if it is one: sqrt(5 + 2 sqrt(6)) = sqrt(2) + sqrt(3).
 std::optional<Expr> denested_root(const Surd& s) {
-  const Surd norm = Surd::sqrt(s.rational_part() * s.rational_part() - s.root_part() * s.root_part() * s.radicand());
+  const Rational square =
+      s.rational_part() * s.rational_part() - s.root_part() * s.root_part() * s.radicand();
+  if (square.sign() < 0) return std::nullopt;
+  const Surd norm = Surd::sqrt(square);
   if (!norm.is_rational()) return std::nullopt;
-  const Rational larger = (s.rational_part() + norm.rational_part()) / 2, smaller = (s.rational_part() - norm.rational_part()) / 2;
+  const Rational larger = (s.rational_part() + norm.rational_part()) / 2,
+                 smaller = (s.rational_part() - norm.rational_part()) / 2;
   if (smaller.sign() < 0) return std::nullopt;
   const Expr a = square_root_formula(larger), b = square_root_formula(smaller);
   return s.root_part().sign() > 0 ? a + b : a - b;
@@ -72,18 +76,22 @@ struct Scaled {
 Scaled root_of(const Surd& s, unsigned long m) {
   Rational content = s.rational_part().abs();
   const SplitRoot inner = s.is_rational() ? SplitRoot{0, 0} : split_root(s.radicand(), 2);
-  for (Rational b = (s.root_part() * inner.outside).abs(); !b.is_zero();) content = std::exchange(b, content - b * (content / b).floor());
+  for (Rational b = (s.root_part() * inner.outside).abs(); !b.is_zero();)
+    content = std::exchange(b, content - b * (content / b).floor());
   const SplitRoot outer = split_root(content, m);
   const Rational power = outer.outside.pow(static_cast<int>(m));
   const Surd rest(s.rational_part() / power, s.root_part() / power, s.radicand());
   if (rest == Surd(1)) return {outer.outside, number(1)};
   const Expr inside = surd_formula(rest);
-  return {outer.outside, m == 2 ? call("sqrt", {inside}) : binary(Expression::Op::power, inside, number(Rational(1, static_cast<std::int64_t>(m))))};
+  return {outer.outside,
+          m == 2 ? call("sqrt", {inside})
+                 : binary(Expression::Op::power, inside, number(Rational(1, static_cast<std::int64_t>(m))))};
 }
 
 /// The sum of all these over one fraction line, positive terms first.
 Expr gathered(std::vector<Scaled> terms) {
-  std::ranges::stable_sort(terms, [](const Scaled& a, const Scaled& b) { return a.coefficient.sign() > b.coefficient.sign(); });
+  std::ranges::stable_sort(
+      terms, [](const Scaled& a, const Scaled& b) { return a.coefficient.sign() > b.coefficient.sign(); });
   Rational common = 1;
   for (const Scaled& t : terms) common *= (common * t.coefficient).denominator();
   Expr sum = number(0);
@@ -98,7 +106,9 @@ Expr gathered(std::vector<Scaled> terms) {
 Surd quadratic(const RealRoot& x) {
   const Rational &a = x.polynomial()[2], &b = x.polynomial()[1], &c = x.polynomial()[0];
   const Surd plus(-b / (a * 2), Rational(1) / (a * 2), b * b - a * c * 4);
-  return plus > Surd(x.high()) || plus < Surd(x.low()) ? Surd(-b / (a * 2), Rational(-1) / (a * 2), b * b - a * c * 4) : plus;
+  return plus > Surd(x.high()) || plus < Surd(x.low())
+             ? Surd(-b / (a * 2), Rational(-1) / (a * 2), b * b - a * c * 4)
+             : plus;
 }
 
 /// The only real root of a cubic polynomial.
@@ -135,7 +145,8 @@ Expr square_root_formula(const Rational& r) {
   if (r.is_zero()) return number(0);
   const SplitRoot root = split_root(r, 2);
   if (root.inside.is_one()) return number(root.outside);
-  return number(root.outside.numerator()) * call("sqrt", {number(root.inside)}) / number(root.outside.denominator());
+  return number(root.outside.numerator()) * call("sqrt", {number(root.inside)}) /
+         number(root.outside.denominator());
 }
 
 std::optional<Expr> radical_formula(const RealRoot& x) {

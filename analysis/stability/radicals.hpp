@@ -4,13 +4,14 @@
 #include <optional>
 #include <string>
 
-#include "analysis/program/expression.hpp"
 #include "analysis/algebra/real_roots.hpp"
+#include "analysis/program/expression.hpp"
 
 namespace shortfall {
 
-/// A real algebraic number by real radicals, such as 2*sqrt(2), where a formula is shorter than the number's polynomial: rational numbers,
-/// roots of quadratic polynomials and of cubic ones with a single real root, positive roots of all these.
+/// A real algebraic number by real radicals, such as 2*sqrt(2), where a formula is shorter than the number's
+/// polynomial: rational numbers, roots of quadratic polynomials and of cubic ones with a single real root,
+/// positive roots of all these.
 std::optional<Expr> radical_formula(const RealRoot& number);
 
 /// The polynomial of a number as a formula in x that is 0 there: x^3 - 4*x^2 + 12*x - 24.

@@ -26,7 +26,8 @@ Polynomial determinant(std::vector<std::vector<Polynomial>> m) {
       negative = !negative;
     }
     for (std::size_t i = p + 1; i < size; ++i)
-      for (std::size_t j = p + 1; j < size; ++j) m[i][j] = exact_quotient(m[p][p] * m[i][j] - m[i][p] * m[p][j], last);
+      for (std::size_t j = p + 1; j < size; ++j)
+        m[i][j] = exact_quotient(m[p][p] * m[i][j] - m[i][p] * m[p][j], last);
     last = m[p][p];
   }
   return negative ? -m[size - 1][size - 1] : m[size - 1][size - 1];

@@ -5,7 +5,8 @@
 
 namespace shortfall {
 
-/// The resultant of a and b in one letter: zero exactly where they have a common root there (or both lose their leading terms).
+/// The resultant of a and b in one letter: zero exactly where they have a common root there (or both lose
+/// their leading terms).
 ///
 /// throws  Undefined  when one of them is zero
 Polynomial resultant(const Polynomial& a, const Polynomial& b, Letter letter);

@@ -28,7 +28,8 @@ T value(const std::vector<double>& p, T x) {
 SampledEigenvalues::SampledEigenvalues(const Amplification& a) {
   for (Fraction c : a.nonzero) {
     for (const AlgebraicLetter& letter : a.algebraic)
-      c = c.substitute(letter.letter, Fraction(letter.value.refined(Rational(1) / Rational(2).pow(100)).low()));
+      c = c.substitute(letter.letter,
+                       Fraction(letter.value.refined(Rational(1) / Rational(2).pow(100)).low()));
     numerators_.push_back(rounded(univariate(c.numerator(), kStiffness)));
     denominators_.push_back(rounded(univariate(c.denominator(), kStiffness)));
   }
@@ -36,14 +37,17 @@ SampledEigenvalues::SampledEigenvalues(const Amplification& a) {
 
 std::vector<double> SampledEigenvalues::sizes(double z) const {
   std::vector<double> polynomial;
-  for (std::size_t k = 0; k < numerators_.size(); ++k) polynomial.push_back(value(numerators_[k], z * z) / value(denominators_[k], z * z));
+  for (std::size_t k = 0; k < numerators_.size(); ++k)
+    polynomial.push_back(value(numerators_[k], z * z) / value(denominators_[k], z * z));
   std::vector<double> result;
   for (const std::complex<double>& root : sampled_roots(polynomial)) result.push_back(std::abs(root));
   std::ranges::sort(result, std::greater<>());
   return result;
 }
 
-double sampled_size(const StabilityFunction& r, std::complex<double> z) { return std::abs(value(rounded(r.numerator), z) / value(rounded(r.denominator), z)); }
+double sampled_size(const StabilityFunction& r, std::complex<double> z) {
+  return std::abs(value(rounded(r.numerator), z) / value(rounded(r.denominator), z));
+}
 
 std::vector<std::complex<double>> sampled_roots(const std::vector<double>& p) {
   using Complex = std::complex<double>;
@@ -55,7 +59,9 @@ std::vector<std::complex<double>> sampled_roots(const std::vector<double>& p) {
   double reach = 0;
   for (std::size_t k = 0; k < degree; ++k) reach = std::max(reach, std::abs(p[k] / p[degree]));
   std::vector<Complex> roots;
-  for (std::size_t k = 0; k < degree; ++k) roots.push_back(std::polar(1 + reach / 2, 0.4 + 2 * 3.141592653589793 * static_cast<double>(k) / static_cast<double>(degree)));
+  for (std::size_t k = 0; k < degree; ++k)
+    roots.push_back(std::polar(
+        1 + reach / 2, 0.4 + 2 * 3.141592653589793 * static_cast<double>(k) / static_cast<double>(degree)));
   for (int round = 0; round < 500; ++round) {
     double moved = 0;
     for (Complex& root : roots) {

@@ -28,7 +28,8 @@ double sampled_size(const StabilityFunction& r, std::complex<double> z);
 
 /// All roots of a polynomial, lowest coefficient first.
 ///
-/// source  Durand (1960); Kerner (1966), Ein Gesamtschrittverfahren zur Berechnung der Nullstellen von Polynomen
+/// source  Durand (1960); Kerner (1966), Ein Gesamtschrittverfahren zur Berechnung der Nullstellen von
+/// Polynomen
 std::vector<std::complex<double>> sampled_roots(const std::vector<double>& polynomial);
 
 }  // namespace shortfall

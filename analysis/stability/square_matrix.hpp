@@ -26,7 +26,8 @@ SquareMatrix<F> product(const SquareMatrix<F>& a, const SquareMatrix<F>& b) {
 
 template <class F>
 bool is_zero(const SquareMatrix<F>& m) {
-  return std::ranges::all_of(m, [](const auto& row) { return std::ranges::all_of(row, [](const F& f) { return f.is_zero(); }); });
+  return std::ranges::all_of(
+      m, [](const auto& row) { return std::ranges::all_of(row, [](const F& f) { return f.is_zero(); }); });
 }
 
 /// p(M).

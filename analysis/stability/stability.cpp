@@ -22,8 +22,8 @@ void map_edges(Windows& windows, const std::function<RealRoot(const RealRoot&)>&
 void check_dimensions(const Program& program, const Values& parameters) {
   for (const Parameter& p : program.parameters)
     if (!(p.dimension == kPure) && !parameters.at(p.name).is_zero())
-      throw Unable("the step of " + program.name + " depends on h not only through h w and c h, because " + p.name + " " + p.dimension.bracketed() +
-                   " is not 0: give --param " + p.name + "=0");
+      throw Unable("the step of " + program.name + " depends on h not only through h w and c h, because " +
+                   p.name + " " + p.dimension.bracketed() + " is not 0: give --param " + p.name + "=0");
 }
 
 Windows windows_of(const Amplification& a, int substeps) {
@@ -74,7 +74,8 @@ Stability stability(const Program& program, const Values& given, int substeps) {
   s.windows = windows_of(s.numbers, substeps);
   if (const WindowEdge* edge = s.windows.limit(); edge && !edge->pole) {
     s.at_limit = edge->growth;
-    if (const auto square = edge->at.rational_square(); square && !s.of_substep) s.limit_motion = limit_motion(program, s.parameters, substeps, *square);
+    if (const auto square = edge->at.rational_square(); square && !s.of_substep)
+      s.limit_motion = limit_motion(program, s.parameters, substeps, *square);
   }
   Amplification runaway = s.numbers;
   for (auto& row : runaway.matrix)

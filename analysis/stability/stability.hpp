@@ -15,21 +15,23 @@ namespace shortfall {
 
 /// What is known exactly about the stability of an integrator.
 ///
-/// Windows are in z = h w of the oscillator x'' = -w^2 x and in d = c h of drag x'' = -c v, h being the frame.
+/// Windows are in z = h w of the oscillator x'' = -w^2 x and in d = c h of drag x'' = -c v, h being the
+/// frame.
 struct Stability {
   std::string integrator;
   int substeps = 1;
-  Values parameters;               ///< the values that the windows are for
+  Values parameters;                 ///< the values that the windows are for
   std::vector<std::string> assumed;  ///< parameters that were not given: the windows are for their defaults
-  Amplification undamped;          ///< of a frame; parameters that were not given stay letters
-  Amplification numbers;           ///< of one substep, parameters as numbers
-  bool of_substep = false;         ///< too many substeps for formulas of a frame: `undamped` is of one substep
+  Amplification undamped;            ///< of a frame; parameters that were not given stay letters
+  Amplification numbers;             ///< of one substep, parameters as numbers
+  bool of_substep = false;  ///< too many substeps for formulas of a frame: `undamped` is of one substep
   std::optional<Amplification> damped;  ///< of a frame, parameters as numbers
   Windows windows;
-  std::optional<PowerGrowth> at_limit;     ///< none without a limit, or when the step does not exist there
+  std::optional<PowerGrowth> at_limit;      ///< none without a limit, or when the step does not exist there
   std::optional<LimitMotion> limit_motion;  ///< when the eigenvalues at the limit are rational
-  Windows runaway;  ///< where the step stays bounded, in h q, though the motion x'' = q^2 x itself grows like exp(q t)
-  std::optional<Drag> drag;                ///< none when the step is singular with drag
+  Windows runaway;  ///< where the step stays bounded, in h q, though the motion x'' = q^2 x itself grows like
+                    ///< exp(q t)
+  std::optional<Drag> drag;                   ///< none when the step is singular with drag
   std::optional<StabilityFunction> function;  ///< of one substep
   std::optional<StabilityProperties> properties;
 
@@ -41,7 +43,8 @@ struct Stability {
 inline constexpr int kSubstepsInFormulas = 8;
 
 /// param   substeps  steps in a frame; h is the frame
-/// throws  Unable  when the step depends on t, or on h in another way than through h w and c h;  Undefined when a stage is singular
+/// throws  Unable  when the step depends on t, or on h in another way than through h w and c h;  Undefined
+/// when a stage is singular
 Stability stability(const Program& program, const Values& given = {}, int substeps = 1);
 
 /// Windows in z = h w for claims and figures.

@@ -13,21 +13,29 @@ Rational value_of(const Expr& e, const Values& parameters) {
   using Op = Expression::Op;
   const auto operand = [&](std::size_t i) { return value_of(e->operands[i], parameters); };
   switch (e->op) {
-    case Op::number: return e->value;
-    case Op::negate: return -operand(0);
-    case Op::add: return operand(0) + operand(1);
-    case Op::subtract: return operand(0) - operand(1);
-    case Op::multiply: return operand(0) * operand(1);
-    case Op::divide: return operand(0) / operand(1);
+    case Op::number:
+      return e->value;
+    case Op::negate:
+      return -operand(0);
+    case Op::add:
+      return operand(0) + operand(1);
+    case Op::subtract:
+      return operand(0) - operand(1);
+    case Op::multiply:
+      return operand(0) * operand(1);
+    case Op::divide:
+      return operand(0) / operand(1);
     case Op::power: {
       std::int64_t exponent = 0;
-      if (operand(1).fits_int64(exponent) && exponent >= -1000 && exponent <= 1000) return operand(0).pow(static_cast<int>(exponent));
+      if (operand(1).fits_int64(exponent) && exponent >= -1000 && exponent <= 1000)
+        return operand(0).pow(static_cast<int>(exponent));
       break;
     }
     case Op::name:
       if (const auto found = parameters.find(e->name); found != parameters.end()) return found->second;
       break;
-    default: break;
+    default:
+      break;
   }
   throw Unable("an entry of the tableau is no rational number");
 }
@@ -110,7 +118,8 @@ std::optional<StabilityFunction> stability_function(const Program& program, cons
   if (a.matrix.size() != 2) return std::nullopt;
   // Drag alone: the velocity is multiplied by R(-d).
   const Fraction drag = a.matrix[1][1].substitute(kStiffness, Fraction());
-  const auto p = mirrored(univariate(drag.numerator(), kDamping)), q = mirrored(univariate(drag.denominator(), kDamping));
+  const auto p = mirrored(univariate(drag.numerator(), kDamping)),
+             q = mirrored(univariate(drag.denominator(), kDamping));
   StabilityFunction r = reduced(p, q);
   const Fraction y = Fraction::letter(kStiffness), d = Fraction::letter(kDamping);
   const SquareMatrix<Fraction> flow{{0, 1}, {-y, -d}};
@@ -123,7 +132,8 @@ bool is_hurwitz(const Univariate<Rational>& p) {
   // Routh's array: the rows of every second coefficient, each next one without its leading term.
   std::vector<Rational> above, below;
   const int sign = p.leading().sign();
-  for (int k = p.degree(); k >= 0; --k) ((p.degree() - k) % 2 == 0 ? above : below).push_back(sign > 0 ? p[k] : -p[k]);
+  for (int k = p.degree(); k >= 0; --k)
+    ((p.degree() - k) % 2 == 0 ? above : below).push_back(sign > 0 ? p[k] : -p[k]);
   for (int row = 0; row < p.degree(); ++row) {
     if (below.empty() || below[0].sign() <= 0) return false;
     std::vector<Rational> next;
@@ -148,7 +158,8 @@ StabilityProperties stability_properties(const StabilityFunction& r) {
     }
   result.a_stable = result.poles_right && result.imaginary_axis;
   result.l_stable = result.a_stable && r.size_at_infinity() == Rational(0);
-  const Fraction size(Polynomial::in(kStiffness, mirrored(r.numerator).coefficients()), Polynomial::in(kStiffness, mirrored(r.denominator).coefficients()));
+  const Fraction size(Polynomial::in(kStiffness, mirrored(r.numerator).coefficients()),
+                      Polynomial::in(kStiffness, mirrored(r.denominator).coefficients()));
   result.real_axis = bounded_windows({{size}}, kStiffness);
   return result;
 }

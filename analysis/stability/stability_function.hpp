@@ -3,14 +3,15 @@
 
 #include <optional>
 
+#include "analysis/algebra/real_roots.hpp"
 #include "analysis/program/program.hpp"
 #include "analysis/program/tape.hpp"
-#include "analysis/algebra/real_roots.hpp"
 #include "analysis/stability/windows.hpp"
 
 namespace shortfall {
 
-/// R(z) = P(z)/Q(z): what one step multiplies the solution of y' = lambda y by, z = h lambda a complex number.
+/// R(z) = P(z)/Q(z): what one step multiplies the solution of y' = lambda y by, z = h lambda a complex
+/// number.
 ///
 /// Invariant: P and Q have no common factor, and Q(0) = 1.
 struct StabilityFunction {
@@ -27,20 +28,22 @@ struct StabilityFunction {
 /// source  Hairer & Wanner (1996), Solving Ordinary Differential Equations II, IV.3, Proposition 3.2
 StabilityFunction stability_function(const Tableau& tableau, const Values& parameters);
 
-/// Of an integrator: from its tableau, or from its step when that treats every linear problem z' = A z as z <- R(h A) z, which is proved
-/// for x'' = -k x - c v in letters. None for the others: they treat positions and velocities differently.
+/// Of an integrator: from its tableau, or from its step when that treats every linear problem z' = A z as z
+/// <- R(h A) z, which is proved for x'' = -k x - c v in letters. None for the others: they treat positions
+/// and velocities differently.
 std::optional<StabilityFunction> stability_function(const Program& program, const Values& given = {});
 
 /// What is proved about a stability function.
 struct StabilityProperties {
   bool poles_right = false;  ///< every pole has a positive real part (Routh and Hurwitz)
-  /// |Q(iy)|^2 - |P(iy)|^2, a polynomial in y^2: not negative anywhere on the imaginary axis, which Sturm's sequence decides.
+  /// |Q(iy)|^2 - |P(iy)|^2, a polynomial in y^2: not negative anywhere on the imaginary axis, which Sturm's
+  /// sequence decides.
   Univariate<Rational> difference;
   bool imaginary_axis = false;
   std::optional<Rational> violated_at;  ///< a y > 0 with |R(iy)| > 1, when there is one
-  bool a_stable = false;                ///< |R(z)| <= 1 wherever Re z <= 0: both of the above, by the maximum principle
-  bool l_stable = false;                ///< and R(z) -> 0 for z -> infinity
-  Windows real_axis;                    ///< where |R(-s)| <= 1, s > 0
+  bool a_stable = false;  ///< |R(z)| <= 1 wherever Re z <= 0: both of the above, by the maximum principle
+  bool l_stable = false;  ///< and R(z) -> 0 for z -> infinity
+  Windows real_axis;      ///< where |R(-s)| <= 1, s > 0
 };
 
 StabilityProperties stability_properties(const StabilityFunction& r);

@@ -18,7 +18,8 @@ constexpr Letter kEigenvalue = kTimeLetter;
 Polynomial least_common_denominator(const SquareMatrix<Fraction>& matrix) {
   Polynomial common = 1;
   for (const auto& row : matrix)
-    for (const Fraction& f : row) common = common * exact_quotient(f.denominator(), gcd(common, f.denominator()));
+    for (const Fraction& f : row)
+      common = common * exact_quotient(f.denominator(), gcd(common, f.denominator()));
   return common;
 }
 
@@ -27,7 +28,8 @@ Polynomial reversed(const Polynomial& p) {
   const std::vector<Polynomial> coefficients = p.coefficients(kEigenvalue);
   Polynomial result;
   for (std::size_t k = 0; k < coefficients.size(); ++k)
-    result += coefficients[k] * Polynomial::letter(kEigenvalue, static_cast<int>(coefficients.size() - 1 - k));
+    result +=
+        coefficients[k] * Polynomial::letter(kEigenvalue, static_cast<int>(coefficients.size() - 1 - k));
   return result;
 }
 
@@ -39,7 +41,8 @@ class Critical {
     add(poles);
     const std::vector<Fraction> p = characteristic_coefficients(matrix);
     Polynomial common = 1;
-    for (const Fraction& c : p) common = common * exact_quotient(c.denominator(), gcd(common, c.denominator()));
+    for (const Fraction& c : p)
+      common = common * exact_quotient(c.denominator(), gcd(common, c.denominator()));
     Polynomial cleared;
     for (std::size_t k = 0; k < p.size(); ++k)
       cleared += (p[k] * Fraction(common)).numerator() * Polynomial::letter(kEigenvalue, static_cast<int>(k));
@@ -75,7 +78,8 @@ class Critical {
     if (factors_[i].second > 1) add_defects(i);
   }
 
-  /// Where a repeated eigenvalue may lose Jordan blocks: roots that all entries of a polynomial in the matrix share.
+  /// Where a repeated eigenvalue may lose Jordan blocks: roots that all entries of a polynomial in the matrix
+  /// share.
   void add_defects(std::size_t i) {
     Univariate<Fraction> rest({Fraction(1)});
     for (std::size_t j = 0; j < factors_.size(); ++j)
@@ -103,7 +107,8 @@ class Critical {
   std::vector<Univariate<Rational>> polynomials_;
 };
 
-WindowEdge edge_at(const SquareMatrix<Fraction>& matrix, Letter letter, const Univariate<Rational>& poles, const RealRoot& root) {
+WindowEdge edge_at(const SquareMatrix<Fraction>& matrix, Letter letter, const Univariate<Rational>& poles,
+                   const RealRoot& root) {
   WindowEdge edge{root, false, {}};
   if (root.is_rational()) {
     edge.pole = poles.at(root.rational()).is_zero();
@@ -126,14 +131,17 @@ SquareMatrix<Rational> matrix_at(const SquareMatrix<Fraction>& matrix, Letter le
   return result;
 }
 
-SquareMatrix<Algebraic> matrix_at(const SquareMatrix<Fraction>& matrix, Letter letter, const RealRoot& value) {
+SquareMatrix<Algebraic> matrix_at(const SquareMatrix<Fraction>& matrix, Letter letter,
+                                  const RealRoot& value) {
   // Narrow enough for most signs to be seen at once.
-  const auto generator = std::make_shared<const RealRoot>(value.refined(value.low().abs() / Rational(2).pow(80)));
+  const auto generator =
+      std::make_shared<const RealRoot>(value.refined(value.low().abs() / Rational(2).pow(80)));
   SquareMatrix<Algebraic> result;
   for (const auto& row : matrix) {
     result.emplace_back();
     for (const Fraction& f : row)
-      result.back().push_back(Algebraic(univariate(f.numerator(), letter), generator) / Algebraic(univariate(f.denominator(), letter), generator));
+      result.back().push_back(Algebraic(univariate(f.numerator(), letter), generator) /
+                              Algebraic(univariate(f.denominator(), letter), generator));
   }
   return result;
 }

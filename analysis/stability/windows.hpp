@@ -24,8 +24,9 @@ struct Window {
   std::optional<WindowEdge> to;    ///< none: without end
   bool from_included = false;
   bool to_included = false;
-  bool decays = false;  ///< inside, every eigenvalue lies inside the unit circle (but for single values of the letter)
-  bool keeps = false;   ///< inside, every eigenvalue but 0 lies on it
+  bool decays =
+      false;  ///< inside, every eigenvalue lies inside the unit circle (but for single values of the letter)
+  bool keeps = false;  ///< inside, every eigenvalue but 0 lies on it
 
   bool is_point() const { return from && to && from->at == to->at; }
 };
@@ -45,10 +46,11 @@ struct Windows {
 
 /// Finds them, exactly.
 ///
-/// Eigenvalues reach or leave the unit circle, meet on it, or cease to exist only at roots of polynomials in the letter: the resultant of each
-/// factor of the characteristic polynomial and its reversal, or its discriminant when it is its own reversal, resultants of two such
-/// factors, denominators. Between two neighbouring roots nothing changes, so that one rational number decides; at a root the same
-/// decision is made in the number field of that root.
+/// Eigenvalues reach or leave the unit circle, meet on it, or cease to exist only at roots of polynomials in
+/// the letter: the resultant of each factor of the characteristic polynomial and its reversal, or its
+/// discriminant when it is its own reversal, resultants of two such factors, denominators. Between two
+/// neighbouring roots nothing changes, so that one rational number decides; at a root the same decision is
+/// made in the number field of that root.
 ///
 /// param   matrix  contains no other letter
 Windows bounded_windows(const SquareMatrix<Fraction>& matrix, Letter letter);
@@ -61,7 +63,8 @@ SquareMatrix<Rational> matrix_at(const SquareMatrix<Fraction>& matrix, Letter le
 /// throws  Undefined  when a denominator vanishes there
 SquareMatrix<Algebraic> matrix_at(const SquareMatrix<Fraction>& matrix, Letter letter, const RealRoot& value);
 
-/// One rational number in each open interval between neighbouring roots (all positive, in increasing order), from 0 to infinity.
+/// One rational number in each open interval between neighbouring roots (all positive, in increasing order),
+/// from 0 to infinity.
 std::vector<Rational> samples_between(const std::vector<RealRoot>& roots);
 
 }  // namespace shortfall

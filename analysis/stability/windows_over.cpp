@@ -69,7 +69,8 @@ class Critical {
     shared_.emplace_back(shared, multiplicity);
   }
 
-  /// Where a repeated eigenvalue may lose Jordan blocks: roots that all entries of a polynomial in the matrix share.
+  /// Where a repeated eigenvalue may lose Jordan blocks: roots that all entries of a polynomial in the matrix
+  /// share.
   void add_defects(std::size_t i) {
     InEigenvalue rest = others_;
     for (std::size_t j = 0; j < shared_.size(); ++j)
@@ -135,8 +136,7 @@ Windows bounded_windows_over(const SquareMatrix<Fraction>& matrix, Letter letter
     const RealRoot narrow = root.refined(root.low() / Rational(2).pow(80));
     const auto generator = std::make_shared<AlgebraicOver::Extension>(
         AlgebraicOver::Extension{field.generator, narrow, roots[i].polynomial});
-    return edge_at<AlgebraicOver>(entries, root,
-                                  [&](const Poly& p) { return AlgebraicOver(p, generator); });
+    return edge_at<AlgebraicOver>(entries, root, [&](const Poly& p) { return AlgebraicOver(p, generator); });
   };
   const auto inside = [&](const Rational& value) {
     return power_growth(evaluated_at<Algebraic>(entries, at_number(value)));

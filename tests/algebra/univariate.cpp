@@ -7,8 +7,8 @@
 #include <algorithm>
 
 #include "analysis/algebra/rational.hpp"
-#include "analysis/stability/quotient.hpp"
 #include "analysis/algebra/sturm.hpp"
+#include "analysis/stability/quotient.hpp"
 
 using namespace shortfall;
 
@@ -41,7 +41,8 @@ TEST_CASE("quotient and remainder: a = q b + r with deg r < deg b, for random po
 
 TEST_CASE("the greatest common divisor divides both and contains every shared factor") {
   CHECK(rc::check([] {
-    const Poly shared = random_polynomial(2), a = random_polynomial(3) * shared, b = random_polynomial(3) * shared;
+    const Poly shared = random_polynomial(2), a = random_polynomial(3) * shared,
+               b = random_polynomial(3) * shared;
     if (a.is_zero() || b.is_zero()) return;
     const Poly g = gcd(a, b);
     RC_ASSERT(divided(a, g).second.is_zero());
@@ -91,9 +92,11 @@ TEST_CASE("Sturm's sequence counts the roots that a polynomial was made of") {
     const Sturm<Rational> sturm(p);
     RC_ASSERT(sturm.roots() == static_cast<int>(roots.size()));
     const Rational low = random_rational(), high = low + random_rational().abs() + 1;
-    const auto between = std::ranges::count_if(roots, [&](const Rational& r) { return low < r && r <= high; });
+    const auto between =
+        std::ranges::count_if(roots, [&](const Rational& r) { return low < r && r <= high; });
     RC_ASSERT(sturm.roots_between(low, high) == between);
-    RC_ASSERT(sturm.roots_above(low) == std::ranges::count_if(roots, [&](const Rational& r) { return r > low; }));
+    RC_ASSERT(sturm.roots_above(low) ==
+              std::ranges::count_if(roots, [&](const Rational& r) { return r > low; }));
   }));
 }
 

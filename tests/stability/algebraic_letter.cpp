@@ -95,7 +95,8 @@ TEST_CASE("numbers that depend on each other share a small field") {
 }
 
 TEST_CASE("only roots of the polynomial itself are found, not those of its conjugates") {
-  // x^2 - 2 r with r = sqrt(2): the norm x^4 - 8 has the positive root 8^(1/4); with r = -sqrt(2) there is none.
+  // x^2 - 2 r with r = sqrt(2): the norm x^4 - 8 has the positive root 8^(1/4); with r = -sqrt(2) there is
+  // none.
   const CommonField field = common_field({square_root(2, kR)});
   const Algebraic r = field.values[0];
   const auto plus = positive_roots({Univariate<Algebraic>({r * Algebraic(-2), 0, 1})}, field.generator);
@@ -115,8 +116,7 @@ TEST_CASE("a tower of fields is a field, exactly and in order") {
   // s = sqrt(1 + sqrt(2)) over Q(sqrt(2)).
   const CommonField field = common_field({square_root(2, kR)});
   const Algebraic r = field.values[0];
-  const auto roots =
-      positive_roots({Univariate<Algebraic>({Algebraic(-1) - r, 0, 1})}, field.generator);
+  const auto roots = positive_roots({Univariate<Algebraic>({Algebraic(-1) - r, 0, 1})}, field.generator);
   REQUIRE(roots.size() == 1);
   const auto extension = std::make_shared<AlgebraicOver::Extension>(
       AlgebraicOver::Extension{field.generator, roots[0].root, roots[0].polynomial});
@@ -131,7 +131,8 @@ TEST_CASE("a tower of fields is a field, exactly and in order") {
     const auto element = [&] {
       AlgebraicOver a;
       for (int i = 0; i < 3; ++i)
-        a = a * s + AlgebraicOver(Algebraic(*rc::gen::inRange(-9, 10)) + r * Algebraic(*rc::gen::inRange(-9, 10)));
+        a = a * s +
+            AlgebraicOver(Algebraic(*rc::gen::inRange(-9, 10)) + r * Algebraic(*rc::gen::inRange(-9, 10)));
       return a;
     };
     const AlgebraicOver a = element(), b = element(), c = element();
@@ -145,8 +146,7 @@ TEST_CASE("a tower of fields is a field, exactly and in order") {
 
 TEST_CASE("a modulus that factors is replaced by the factor of its root") {
   // s = sqrt(2), held as a root of (x^2 - 2)(x - 5) over Q.
-  const Univariate<Algebraic> modulus =
-      Univariate<Algebraic>({-2, 0, 1}) * Univariate<Algebraic>({-5, 1});
+  const Univariate<Algebraic> modulus = Univariate<Algebraic>({-2, 0, 1}) * Univariate<Algebraic>({-5, 1});
   const auto extension = std::make_shared<AlgebraicOver::Extension>(
       AlgebraicOver::Extension{nullptr, RealRoot(Univariate<Rational>({-2, 0, 1}), 1, 2), modulus});
   const AlgebraicOver s(Univariate<Algebraic>({0, 1}), extension);

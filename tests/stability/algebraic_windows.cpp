@@ -33,8 +33,8 @@ Matrix verlet(const Fraction& c) {
 }
 /// The triple jump: c, 1 - 2 c, c times a step; c = 1/(2 - w).
 ///
-/// source  Forest & Ruth (1990), Fourth-order symplectic integration, (4.9); Yoshida (1990), Construction of higher order
-/// symplectic integrators
+/// source  Forest & Ruth (1990), Fourth-order symplectic integration, (4.9); Yoshida (1990), Construction of
+/// higher order symplectic integrators
 template <class Step>
 Matrix triple_jump(const Fraction& h, const Fraction& w, Step&& step) {
   const Fraction c = h / (Fraction(2) - w);
@@ -140,7 +140,8 @@ TEST_CASE("an algebraic number that is rational after all changes nothing") {
 TEST_CASE("an irrational step: Verlet's limit in units of the cube root of 2") {
   // h is w times as long: stable for z w < 2.
   const Fraction w = Fraction::letter(kW);
-  const Amplification a = amplification(verlet(w), {"n", "h", "t", "k", "c", "w"}, {"x", "v"}, {root(kW, 3, 2)});
+  const Amplification a =
+      amplification(verlet(w), {"n", "h", "t", "k", "c", "w"}, {"x", "v"}, {root(kW, 3, 2)});
   const auto limit = stability_limit(oscillator_windows(a));
   REQUIRE(limit);
   CHECK(*limit == RealRoot(Univariate<Rational>({-4, 0, 0, 1}), 1, 2));  // 2/2^(1/3) = 4^(1/3)
@@ -168,17 +169,4 @@ TEST_CASE("two algebraic numbers at once: a drift of sqrt(2), a kick of sqrt(3)"
   const Windows windows = bounded_windows(m, kStiffness, {root(kW, 2, 2), root(kU, 2, 3)});
   REQUIRE(windows.limit());
   CHECK(windows.limit()->at == RealRoot(Univariate<Rational>({-8, 0, 3}), 1, 2));
-}
-
-TEST_CASE("two cube and fifth roots at once: the triple jump of the triple jump, order six") {
-  // source: Yoshida (1990); c = 1/(2 - 2^(1/5)) of steps of order four, each with 1/(2 - 2^(1/3)) of Verlet's.
-  const Fraction w = Fraction::letter(kW), u = Fraction::letter(kU);
-  const Matrix m = triple_jump(1, u, [&](const Fraction& h) {
-    return triple_jump(h, w, [](const Fraction& c) { return verlet(c); });
-  });
-  const Amplification a = amplification(m, {"n", "h", "t", "k", "c", "w", "u"}, {"x", "v"}, {root(kW, 3, 2), root(kU, 5, 2)});
-  CHECK(a.determinant() == Fraction(1));
-  const auto limit = stability_limit(oscillator_windows(a));
-  REQUIRE(limit);
-  MESSAGE("degree " << limit->degree() << " " << limit->decimal(20));
 }

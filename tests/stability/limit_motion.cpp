@@ -41,17 +41,29 @@ Rational sign(int n) { return n % 2 == 0 ? 1 : -1; }
 TEST_CASE("the four motions at h w = 2: formulas of the theory, and exact stepping") {
   const std::vector<Expected> all{
       {"symplectic-euler", "(-1)^n*((1 + 2*n)*x0 - n*h*v0)", "(-1)^n*(4*n*x0/h + (1 - 2*n)*v0)",
-       [](int n, const Rational& x, const Rational& v, const Rational& h) { return sign(n) * ((1 + 2 * Rational(n)) * x - n * h * v); },
-       [](int n, const Rational& x, const Rational& v, const Rational& h) { return sign(n) * (4 * n * x / h + (1 - 2 * Rational(n)) * v); }},
+       [](int n, const Rational& x, const Rational& v, const Rational& h) {
+         return sign(n) * ((1 + 2 * Rational(n)) * x - n * h * v);
+       },
+       [](int n, const Rational& x, const Rational& v, const Rational& h) {
+         return sign(n) * (4 * n * x / h + (1 - 2 * Rational(n)) * v);
+       }},
       {"symplectic-euler-drift-kick", "(-1)^n*((1 - 2*n)*x0 - n*h*v0)", "(-1)^n*(4*n*x0/h + (1 + 2*n)*v0)",
-       [](int n, const Rational& x, const Rational& v, const Rational& h) { return sign(n) * ((1 - 2 * Rational(n)) * x - n * h * v); },
-       [](int n, const Rational& x, const Rational& v, const Rational& h) { return sign(n) * (4 * n * x / h + (1 + 2 * Rational(n)) * v); }},
+       [](int n, const Rational& x, const Rational& v, const Rational& h) {
+         return sign(n) * ((1 - 2 * Rational(n)) * x - n * h * v);
+       },
+       [](int n, const Rational& x, const Rational& v, const Rational& h) {
+         return sign(n) * (4 * n * x / h + (1 + 2 * Rational(n)) * v);
+       }},
       {"velocity-verlet", "(-1)^n*(x0 - n*h*v0)", "(-1)^n*v0",
-       [](int n, const Rational& x, const Rational& v, const Rational& h) { return sign(n) * (x - n * h * v); },
+       [](int n, const Rational& x, const Rational& v, const Rational& h) {
+         return sign(n) * (x - n * h * v);
+       },
        [](int n, const Rational&, const Rational& v, const Rational&) { return sign(n) * v; }},
       {"position-verlet", "(-1)^n*x0", "(-1)^n*(4*n*x0/h + v0)",
        [](int n, const Rational& x, const Rational&, const Rational&) { return sign(n) * x; },
-       [](int n, const Rational& x, const Rational& v, const Rational& h) { return sign(n) * (v + 4 * n * x / h); }},
+       [](int n, const Rational& x, const Rational& v, const Rational& h) {
+         return sign(n) * (v + 4 * n * x / h);
+       }},
   };
   for (const Expected& e : all) {
     CAPTURE(e.name);

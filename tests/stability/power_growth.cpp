@@ -94,9 +94,17 @@ TEST_CASE("Jordan blocks of every kind are found again in random coordinates") {
           pairs = std::max(pairs, n);
           on_circle = true;
           break;
-        case 3: blocks.push_back(jordan(Rational(-2, 3), size)); inside += n; break;
-        case 4: blocks.push_back(rotations(Rational(1, 2), Rational(1, 3), size)); inside += 2 * n; break;
-        case 5: blocks.push_back(jordan(0, size)); break;
+        case 3:
+          blocks.push_back(jordan(Rational(-2, 3), size));
+          inside += n;
+          break;
+        case 4:
+          blocks.push_back(rotations(Rational(1, 2), Rational(1, 3), size));
+          inside += 2 * n;
+          break;
+        case 5:
+          blocks.push_back(jordan(0, size));
+          break;
         default:
           // Rarely, or hardly anything else would be seen.
           if (*rc::gen::inRange(0, 3) == 0) {

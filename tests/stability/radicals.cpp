@@ -18,15 +18,26 @@ double value(const Expr& e) {
   using Op = Expression::Op;
   const auto of = [&](std::size_t i) { return value(e->operands[i]); };
   switch (e->op) {
-    case Op::number: return e->value.to_double();
-    case Op::negate: return -of(0);
-    case Op::add: return of(0) + of(1);
-    case Op::subtract: return of(0) - of(1);
-    case Op::multiply: return of(0) * of(1);
-    case Op::divide: return of(0) / of(1);
-    case Op::power: return std::pow(of(0), of(1));
-    case Op::call: REQUIRE(e->name == "sqrt"); return std::sqrt(of(0));
-    default: FAIL("an expression of radicals was expected"); return 0;
+    case Op::number:
+      return e->value.to_double();
+    case Op::negate:
+      return -of(0);
+    case Op::add:
+      return of(0) + of(1);
+    case Op::subtract:
+      return of(0) - of(1);
+    case Op::multiply:
+      return of(0) * of(1);
+    case Op::divide:
+      return of(0) / of(1);
+    case Op::power:
+      return std::pow(of(0), of(1));
+    case Op::call:
+      REQUIRE(e->name == "sqrt");
+      return std::sqrt(of(0));
+    default:
+      FAIL("an expression of radicals was expected");
+      return 0;
   }
 }
 
@@ -47,6 +58,8 @@ TEST_CASE("roots as people write them") {
   CHECK(formula(Poly({-2, 0, 0, 1}), 0) == "2^(1/3)");
   CHECK(formula(Poly({1, 0, -10, 0, 1}), 3) == "sqrt(3) + sqrt(2)");
   CHECK(formula(Poly({-1, -1, 0, 0, 0, 1}), 0) == "none");  // x^5 - x - 1, of Galois group S5
+  // sqrt(1 + sqrt(13)), whose conjugate is not real.
+  CHECK(formula(Poly({-12, 0, -2, 0, 1}), 1) == "sqrt(1 + sqrt(13))");
   // The limit of drag for the classical method: the only real root of x^3 - 4 x^2 + 12 x - 24, 2.785...
   CHECK(real_roots(Poly({-24, 12, -4, 1})).front().decimal(12) == "2.785293563405");
 }

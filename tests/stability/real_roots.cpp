@@ -56,7 +56,8 @@ TEST_CASE("Wilkinson's polynomial of degree 20, plus 2^-23 x^19: ten real roots 
   std::vector<Rational> disturbed = p.coefficients();
   disturbed[19] -= Rational(1) / Rational(2).pow(23);
   const auto found = real_roots(Poly(disturbed));
-  // source: Wilkinson (1963), Rounding Errors in Algebraic Processes: 20.847, 8.917, 8.007, ... and ten complex ones.
+  // source: Wilkinson (1963), Rounding Errors in Algebraic Processes: 20.847, 8.917, 8.007, ... and ten
+  // complex ones.
   CHECK(found.size() == 10);
   CHECK(found.back().decimal(9) == "20.846908101");
   CHECK(found[7].decimal(9) == "8.007267603");
@@ -91,7 +92,8 @@ TEST_CASE("decimals are correctly rounded: the polynomial changes its sign withi
 }
 
 TEST_CASE("comparison is an order, and equal numbers from different polynomials are equal") {
-  const auto first = positive_roots({Poly({-2, 0, 1})}), second = positive_roots({Poly({-2, 0, 1}) * Poly({-3, 0, 1})});
+  const auto first = positive_roots({Poly({-2, 0, 1})}),
+             second = positive_roots({Poly({-2, 0, 1}) * Poly({-3, 0, 1})});
   REQUIRE(first.size() == 1);
   REQUIRE(second.size() == 2);
   CHECK(first[0] == second[0]);
@@ -129,7 +131,9 @@ TEST_CASE("isolating decimals hold one root and are neighbours") {
 TEST_CASE("a number field is an ordered field: the real root of x^3 - x - 1") {
   const auto generator = std::make_shared<const RealRoot>(real_roots(Poly({-1, -1, 0, 1})).front());
   const auto element = [&] {
-    return Algebraic(Poly({*rc::gen::inRange(-20, 21), *rc::gen::inRange(-20, 21), *rc::gen::inRange(-20, 21)}), generator);
+    return Algebraic(
+        Poly({*rc::gen::inRange(-20, 21), *rc::gen::inRange(-20, 21), *rc::gen::inRange(-20, 21)}),
+        generator);
   };
   const double plastic = 1.3247179572447460260;
   CHECK(generator->to_double() == plastic);

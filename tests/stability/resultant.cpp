@@ -21,8 +21,10 @@ TEST_CASE("the resultant is the product of all differences of roots: random") {
   CHECK(rc::check([] {
     Polynomial p = 1, q = 1;
     std::vector<Rational> of_p, of_q;
-    for (int i = *rc::gen::inRange(1, 4); i > 0; --i) of_p.emplace_back(*rc::gen::inRange(-9, 10), *rc::gen::inRange(1, 4));
-    for (int i = *rc::gen::inRange(1, 4); i > 0; --i) of_q.emplace_back(*rc::gen::inRange(-9, 10), *rc::gen::inRange(1, 4));
+    for (int i = *rc::gen::inRange(1, 4); i > 0; --i)
+      of_p.emplace_back(*rc::gen::inRange(-9, 10), *rc::gen::inRange(1, 4));
+    for (int i = *rc::gen::inRange(1, 4); i > 0; --i)
+      of_q.emplace_back(*rc::gen::inRange(-9, 10), *rc::gen::inRange(1, 4));
     for (const Rational& r : of_p) p *= x() - Polynomial(r);
     for (const Rational& r : of_q) q *= x() - Polynomial(r);
     Rational expected = 1;

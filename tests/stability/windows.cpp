@@ -22,8 +22,8 @@ Windows of(const Fraction& trace, const Fraction& determinant) {
   return bounded_windows({{0, 1}, {-determinant, trace}}, kY);
 }
 
-// Omelyan, Mryglod & Folk (2002), Optimized Forest-Ruth- and Suzuki-like algorithms for integration of motion in
-// many-body systems, Computer Physics Communications 146, (20)-(23): the position form.
+// Omelyan, Mryglod & Folk (2002), Optimized Forest-Ruth- and Suzuki-like algorithms for integration of motion
+// in many-body systems, Computer Physics Communications 146, (20)-(23): the position form.
 const char* const kPefrl = R"(integrator pefrl
   param xi     = 0.1786178958448091
   param lambda = -0.2123418310626054
@@ -110,9 +110,11 @@ TEST_CASE("a window with a hole of known shape: trace 2 - 8 y (1 - y)") {
 }
 
 TEST_CASE("a diagonalisable matrix includes its edge, and touching 2 from inside makes no hole") {
-  // Rotation by an angle: trace 2 - 4 y^2 touches nothing below y = 1; as cosine and sine, [[c, -s], [s, c]] with the tangent t of the
-  // half angle is rational: c = (1 - t^2)/(1 + t^2), s = 2 t/(1 + t^2). Bounded for every t, t = infinity left out.
-  const Fraction t = y(), c = (Fraction(1) - t * t) / (Fraction(1) + t * t), s = Fraction(2) * t / (Fraction(1) + t * t);
+  // Rotation by an angle: trace 2 - 4 y^2 touches nothing below y = 1; as cosine and sine, [[c, -s], [s, c]]
+  // with the tangent t of the half angle is rational: c = (1 - t^2)/(1 + t^2), s = 2 t/(1 + t^2). Bounded for
+  // every t, t = infinity left out.
+  const Fraction t = y(), c = (Fraction(1) - t * t) / (Fraction(1) + t * t),
+                 s = Fraction(2) * t / (Fraction(1) + t * t);
   const Windows rotation = bounded_windows({{c, -s}, {s, c}}, kY);
   CHECK(rotation.always());
   CHECK(rotation.windows[0].keeps);
@@ -126,7 +128,8 @@ TEST_CASE("a diagonalisable matrix includes its edge, and touching 2 from inside
 
 TEST_CASE("stable at single values only") {
   // diag(1 + (y - 3)^2, 1/2): bounded exactly at y = 3.
-  const Windows windows = bounded_windows({{Fraction(1) + (y() - Fraction(3)) * (y() - Fraction(3)), 0}, {0, Rational(1, 2)}}, kY);
+  const Windows windows = bounded_windows(
+      {{Fraction(1) + (y() - Fraction(3)) * (y() - Fraction(3)), 0}, {0, Rational(1, 2)}}, kY);
   REQUIRE(windows.windows.size() == 1);
   CHECK(windows.windows[0].is_point());
   CHECK(windows.windows[0].from->at.rational() == Rational(3));
@@ -146,7 +149,8 @@ TEST_CASE("a pole ends a window") {
   CHECK(windows.windows[0].from_included);
   CHECK_FALSE(windows.windows[0].to);
   // (y - 1)/(y - 1)^... a pole between two stable windows: 1/2 + 1/(1000 (y - 1)^2).
-  const Fraction near = Fraction(Rational(1, 2)) + Fraction(1) / (Fraction(1000) * (y() - Fraction(1)) * (y() - Fraction(1)));
+  const Fraction near =
+      Fraction(Rational(1, 2)) + Fraction(1) / (Fraction(1000) * (y() - Fraction(1)) * (y() - Fraction(1)));
   const Windows hole = bounded_windows({{near}}, kY);
   REQUIRE(hole.windows.size() == 2);
   CHECK(hole.windows[0].to->at.decimal(15) == "0.955278640450004");  // 1 - 1/sqrt(500)
@@ -157,14 +161,16 @@ TEST_CASE("windows of random second-order steps agree with the roots of their ch
   CHECK(rc::check([] {
     const auto random_polynomial = [](int degree) {
       Polynomial p;
-      for (int k = 0; k <= degree; ++k) p += Polynomial(Rational(*rc::gen::inRange(-8, 9), 4)) * Polynomial::letter(kY, k);
+      for (int k = 0; k <= degree; ++k)
+        p += Polynomial(Rational(*rc::gen::inRange(-8, 9), 4)) * Polynomial::letter(kY, k);
       return p;
     };
     const Fraction trace(random_polynomial(2)), determinant(random_polynomial(1));
     const Windows windows = of(trace, determinant);
     for (int i = 1; i < 40; ++i) {
       const Rational at(i, 7);
-      const double t = trace.evaluate({{kY, at}}).to_double(), d = determinant.evaluate({{kY, at}}).to_double();
+      const double t = trace.evaluate({{kY, at}}).to_double(),
+                   d = determinant.evaluate({{kY, at}}).to_double();
       // Both roots inside or on the circle: |d| <= 1 and |t| <= 1 + d; stay clear of the edges.
       const double margin = std::min(1 - std::abs(d), 1 + d - std::abs(t));
       const bool on_circle = determinant == Fraction(1);
@@ -175,7 +181,8 @@ TEST_CASE("windows of random second-order steps agree with the roots of their ch
 }
 
 TEST_CASE("between two roots there is a sample") {
-  const auto roots = positive_roots({Univariate<Rational>({-2, 0, 1}), Univariate<Rational>({-3, 0, 1}), Univariate<Rational>({-5, 1})});
+  const auto roots = positive_roots(
+      {Univariate<Rational>({-2, 0, 1}), Univariate<Rational>({-3, 0, 1}), Univariate<Rational>({-5, 1})});
   const auto samples = samples_between(roots);
   REQUIRE(samples.size() == roots.size() + 1);
   for (std::size_t i = 0; i < roots.size(); ++i) {
