@@ -75,7 +75,8 @@ else
     mv "$base.part" "$base"
   fi
 fi
-echo "fresh $suite: bare system after $(($(now) - began)) s"
+echo "fresh $suite: bare system after $(($(now) - began)) s; commit $(git -C "$top" rev-parse --short HEAD)"
+[ -z "$(git -C "$top" status --porcelain)" ] || echo "run.sh: what is not committed is not tested" >&2
 
 chmod 755 "$root" # mktemp keeps others out
 mkdir "$root/shortfall"
