@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <nlohmann/json.hpp>
 
+#include "notebooks-export/linear_implicit.hpp"
 #include "notebooks-export/linear_text.hpp"
 
 namespace shortfall {
@@ -27,7 +28,7 @@ Json corrections(const LinearKit& kit) {
   for (const LinearCorrection& c : kit.corrections)
     list.push_back({{"kind", kinds[static_cast<int>(c.kind)]},
                     {"target", c.target},
-                    {"replace", print(c.value)},
+                    {"replace", print(c.spelled)},
                     {"exact", true},
                     {"order", nullptr},
                     {"reason", c.reason}});
@@ -37,6 +38,8 @@ Json corrections(const LinearKit& kit) {
 void add_kit(Json& json, const LinearKit& kit) {
   json["corrections"] = corrections(kit);
   json["correction_definitions"] = definitions(kit.definitions);
+  json["equations"] = kit.implicit ? implicit_json(kit) : Json(nullptr);
+  json["notes"] = kit.notes;
   json["obstruction"] = kit.exists ? Json(nullptr) : Json(kit.obstruction);
 }
 

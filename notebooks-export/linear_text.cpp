@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "notebooks-export/linear_implicit.hpp"
 #include "notebooks-export/result_text.hpp"
 
 namespace shortfall {
@@ -58,12 +59,21 @@ std::string as_text(const LinearKit& kit, Style style) {
     return std::string(kit.impossible ? "  none can be exact on every frame: "
                                       : "  none found that is exact on every frame: ") +
            kit.obstruction + "\n";
-  std::string text = "  exact on every frame; give or report instead:\n";
+  std::string text;
+  for (const std::string& note : kit.notes) text += "  " + note + "\n";
+  text += "  exact on every frame; give or report instead:\n";
   for (const LinearCorrection& c : kit.corrections)
     text += "    " + kind(c.kind) + ": " + c.target + " := " + print(c.value, style) + "\n        " +
             c.reason + "\n";
   text += "  with\n";
   append_definitions(text, kit.definitions, style);
+  for (const LinearCorrection& c : kit.corrections)
+    if (mentions(c.value, "f'")) {
+      text +=
+          "    f', f'': derivatives of the force by time; in a launch at t = 0, in a read-out at t = n h\n";
+      break;
+    }
+  if (kit.implicit) text += implicit_text(kit, style);
   return text + "  proof: " + kit.proof + "\n";
 }
 

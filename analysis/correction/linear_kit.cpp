@@ -3,202 +3,279 @@
 
 #include <algorithm>
 
+#include "analysis/algebra/error.hpp"
+#include "analysis/correction/kit_letters.hpp"
+#include "analysis/correction/linear_launch.hpp"
 #include "analysis/correction/matching.hpp"
-#include "analysis/program/transform.hpp"
+#include "analysis/correction/open_step.hpp"
+#include "analysis/program/print.hpp"
 
 namespace shortfall {
 
 namespace {
 
-constexpr Letter kTrueStiffness = 11;
-constexpr Letter kTrueDamping = 12;
-constexpr Letter kFlowCosine = 13;  // C, position after h from x0 = 1, v0 = 0
-constexpr Letter kFlowSine = 14;    // S, position after h from x0 = 0, v0 = 1
-constexpr Letter kFlowDecay = 15;   // D = e^(-c h)
+constexpr int kHighestDegree = 12;  // of a force polynomial: the formulas grow with it, and nobody reads them
+
+Expr derivative_name(int j, int degree) {
+  if (degree == 0) return name("a");
+  return name("f" + std::string(j, '\''));
+}
+
+/// The j-th derivative of f0 + f1 t + ..., at t or at 0.
+Expr derivative(int j, int degree, bool at_zero) {
+  Expr total = number(0);
+  for (int d = j; d <= degree; ++d) {
+    const Rational weight = factorial(d) / factorial(d - j);
+    Expr term = name("f" + std::to_string(d));
+    if (!weight.is_one()) term = number(weight) * term;
+    if (d > j && at_zero) break;
+    if (d > j) term = term * power(name("t"), d - j);
+    total = is_number(total, 0) ? term : total + term;
+  }
+  return total;
+}
 
 class Matcher {
  public:
   Matcher(const Program& program, const Force& force, const Values& given, int substeps)
       : program_(program), force_(force), given_(given), substeps_(substeps) {
-    k_ = force.k ? Fraction(*force.k) : Fraction::letter(kTrueStiffness);
-    c_ = force.c ? Fraction(*force.c) : Fraction::letter(kTrueDamping);
+    k_ = !force.spring ? Fraction() : force.k ? Fraction(*force.k) : Fraction::letter(kTrueStiffness);
+    c_ = !force.damper ? Fraction() : force.c ? Fraction(*force.c) : Fraction::letter(kTrueDamping);
     cosine_ = force.spring ? Fraction::letter(kFlowCosine) : Fraction(1);
     decay_ = force.damper ? Fraction::letter(kFlowDecay) : Fraction(1);
     sine_ = force.spring ? Fraction::letter(kFlowSine) : (Fraction(1) - decay_) / c_;
-    trace_ = force.spring ? Fraction(2) * cosine_ - (force.damper ? c_ * sine_ : Fraction())
-                          : Fraction(1) + decay_;
+    trace_ = force.spring ? Fraction::letter(kFlowTrace) : Fraction(1) + decay_;
+    point_ = {{kStiffness, 0}, {kDamping, 0}, {kFlowTrace, 2}, {kFlowDecay, 1}};
   }
 
   LinearKit matched() {
-    // The integrator with the parameters still free; without damping first, with it when the determinant asks
-    // for it.
+    if (force_.degree > kHighestDegree)
+      throw Unable("corrections for linear forces are solved for up to poly:" +
+                   std::to_string(kHighestDegree));
+    // The integrator with the parameters still free; without damping first, with it when that cannot be
+    // matched.
     Force free = force_;
     free.k.reset();
     free.c.reset();
-    free.degree = std::max(force_.degree, 0);
-    if (!load(free)) return kit_;
-    if (!force_.damper && !(determinant_ == Fraction(1))) {
+    Matching found = match(free);
+    if (found.kind == Matching::Kind::impossible && !force_.damper) {
+      kit_.notes.push_back(why_not_stiffness_alone(found));
       free.damper = true;
-      if (!load(free)) return kit_;
+      found = match(free);
     }
-    if (!match_parameters(free)) return kit_;
-    match_forces();
+    if (found.kind == Matching::Kind::impossible || found.kind == Matching::Kind::unknown) {
+      kit_.impossible = found.kind == Matching::Kind::impossible;
+      kit_.obstruction =
+          (kit_.impossible ? "the spectrum of the step cannot be that of the exact flow: "
+                           : "the spectrum of the step was not matched to the exact flow's: ") +
+          found.obstruction;
+      return kit_;
+    }
+    launch(found);
+    kit_.letters = names_;
     return kit_;
   }
 
  private:
-  bool refuse(const std::string& obstruction) {
-    kit_.exists = false;
-    kit_.obstruction = obstruction;
-    return false;
-  }
-
-  /// The amplification matrix and the effect of a constant force, in the free letters.
-  bool load(const Force& free) {
-    const LinearDerivation d = linear_derivation(program_, free, given_, substeps_);
-    names_ = d.map.letters;
+  /// Opens the step and solves for the parameters that it leaves free.
+  Matching match(const Force& free) {
+    step_ = open_step(program_, free, given_, substeps_);
+    names_ = step_->map.letters;
     if (static_cast<int>(names_.size()) > kTrueStiffness)
       throw Unable("corrections for linear forces carry at most 6 free parameters");
     names_.resize(kLetters);
+    names_[kStiffness] = "k_new";
+    names_[kDamping] = "c_new";
+    names_[kFlowTrace] = "T";
     names_[kTrueStiffness] = "k";
     names_[kTrueDamping] = "c";
     names_[kFlowCosine] = "C";
     names_[kFlowSine] = "S";
     names_[kFlowDecay] = "D";
-    if (d.amplification.empty())
-      return refuse(
-          "the reported position and velocity do not carry the motion by themselves (a state besides them "
-          "matters), so the spectrum has more than two "
-          "eigenvalues; the exact flow has two");
-    m_ = d.amplification;
-    determinant_ = *d.determinant;
-    integrator_trace_ = *d.trace;
-    push_ = {motion_at(d.form, true, 1, 2), motion_at(d.form, false, 1, 2)};
-    return true;
-  }
-
-  bool match_parameters(const Force& free) {
-    if (m_[0][1].is_zero())
-      return refuse(
-          "the velocity does not move the position: the Jordan form of the step is not that of the exact "
-          "flow");
     std::vector<Letter> unknowns;
     if (free.spring) unknowns.push_back(kStiffness);
     if (free.damper) unknowns.push_back(kDamping);
-    const Matching found = matching({integrator_trace_ - trace_, determinant_ - decay_}, unknowns, names_);
-    if (!found.values) {
-      kit_.impossible = found.impossible;
-      return refuse((found.impossible
-                         ? "trace and determinant of the step cannot both be matched to the exact flow's: "
-                         : "trace and determinant of the step were not matched to the exact flow's: ") +
-                    found.obstruction);
+    return matching(conditions(), unknowns, point_, names_);
+  }
+
+  /// That z^2 - T z + D divides the characteristic polynomial.
+  std::vector<Fraction> conditions() const {
+    if (!step_->pair.empty()) return {-step_->pair[1] - trace_, step_->pair[0] - decay_};
+    std::vector<Fraction> rest = step_->nonzero;
+    for (std::size_t j = rest.size() - 1; j >= 2; --j) {
+      rest[j - 1] += rest[j] * trace_;
+      rest[j - 2] -= rest[j] * decay_;
     }
-    for (auto* entry : {&m_[0][0], &m_[0][1], &m_[1][0], &m_[1][1], &push_[0], &push_[1]})
-      *entry = found.put_into(*entry);
-    for (std::size_t i = 0; i < unknowns.size(); ++i) {
-      const bool k = unknowns[i] == kStiffness;
-      add(LinearCorrection::Kind::parameter, k ? "k" : "c", (*found.values)[i],
+    return {rest[1], rest[0]};
+  }
+
+  std::string why_not_stiffness_alone(const Matching& m) const {
+    const Wording w{names_, "n", true};
+    std::string text = "a stiffness alone does not exist: ";
+    if (step_->pair.empty())
+      return text + m.obstruction +
+             "; z^2 - 2 cos(w h) z + 1 divides the characteristic polynomial for no k_new";
+    return text + "the determinant of the step is " + print_in_scaled(step_->pair[0]) +
+           ", y = h^2 k_new, and has to be 1; y would be a root of a polynomial with constant coefficients, "
+           "so would not "
+           "depend on w h, and neither would the trace, which has to be 2 cos(w h)";
+  }
+
+  /// With h = 1: y for h^2 k.
+  std::string print_in_scaled(const Fraction& f) const {
+    std::vector<std::string> names = names_;
+    names[kStiffness] = "y";
+    return print(formula(f.substitute(kStepLetter, Fraction(1)), {names, "n", true}));
+  }
+
+  void launch(const Matching& found) {
+    // Where trace and determinant are functions of the open parameters, all is solved in these; the matched
+    // values follow.
+    const bool open = !step_->pair.empty();
+    if (!open && found.kind != Matching::Kind::rational) {
+      kit_.impossible = false;
+      kit_.obstruction =
+          "the parameters exist for small steps, as roots of equations, but the step has further eigenvalues "
+          "that no "
+          "formula without roots tells apart; the launch is not solved for then";
+      return;
+    }
+    const bool substitute = found.kind == Matching::Kind::rational;
+    const LaunchProblem problem{*step_,
+                                [&](const Fraction& f) { return open ? f : found.put_into(f); },
+                                open ? -step_->pair[1] : trace_,
+                                open ? step_->pair[0] : decay_,
+                                k_,
+                                c_,
+                                cosine_,
+                                sine_};
+    const LinearLaunch solved = linear_launch(problem);
+    if (!solved.obstruction.empty()) {
+      kit_.obstruction = solved.obstruction;
+      return;
+    }
+    put_ = [&](Fraction f) {
+      if (substitute) f = found.put_into(f);
+      // Without damping the flow is said by C alone.
+      if (force_.spring && !force_.damper) f = f.substitute(kFlowTrace, Fraction(2) * cosine_);
+      return f;
+    };
+    kit_.exists = true;
+    for (std::size_t i = 0; i < found.unknowns.size(); ++i) {
+      const bool k = found.unknowns[i] == kStiffness;
+      const Expr value =
+          substitute ? formula(put_(found.values[i]), wording()) : name(names_[found.unknowns[i]]);
+      add(LinearCorrection::Kind::parameter, k ? "k" : "c", value,
           k ? "give the integrator this stiffness: the frequency is then exact"
             : "give the integrator this damping: the decay is then exact");
-      (k ? stiffness_ : damping_) = (*found.values)[i];
     }
-    kit_.exists = m_[0][0] + m_[1][1] == trace_ && m_[0][0] * m_[1][1] - m_[0][1] * m_[1][0] == decay_;
-    if (!kit_.exists) throw Error("matched parameters do not survive substitution");
-    return true;
+    if (!substitute) {
+      kit_.implicit = implicit_parameters(found, point_, k_, c_, program_, given_, substeps_, names_);
+      if (kit_.implicit->jacobian.is_zero()) {
+        kit_ = {};
+        kit_.impossible = false;
+        kit_.obstruction = "the implicit function theorem does not tell whether the parameters exist";
+        return;
+      }
+    }
+    add_forces(solved);
+    prove(solved.by_states);
+    define_flow();
   }
 
   void add(LinearCorrection::Kind kind, const std::string& target, const Expr& value,
-           const std::string& reason) {
-    kit_.corrections.push_back({kind, target, value, reason});
-  }
-  void add(LinearCorrection::Kind kind, const std::string& target, const Fraction& value,
-           const std::string& reason) {
-    add(kind, target, formula(value, wording()), reason);
+           const std::string& reason, const Expr& spelled = nullptr) {
+    kit_.corrections.push_back({kind, target, value, reason, spelled ? spelled : value});
   }
 
   Wording wording() const { return {names_, "n", true}; }
 
-  Expr sum_of(const std::vector<std::pair<Fraction, const char*>>& terms) const {
+  /// x * first + v * second + the force and its derivatives, the latter as f, f', ... or spelled out.
+  Expr combination(const ForceForm& form, const char* x, const char* v, bool spelled, bool at_zero) const {
     Expr total = number(0);
-    for (const auto& [weight, letter] : terms)
-      total = joined(total, formula(weight, name(letter), wording()));
+    const auto add = [&](const Fraction& weight, const Expr& what) {
+      const Fraction w = put_(weight);
+      if (w.is_zero()) return;
+      const bool sum = what->op == Expression::Op::add;
+      total = joined(total, sum ? formula(w, wording()) * what : formula(w, what, wording()));
+    };
+    if (x) add(form.x, name(x));
+    if (v) add(form.v, name(v));
+    for (std::size_t j = 0; j < form.f.size(); ++j) {
+      const int i = static_cast<int>(j);
+      add(form.f[j], spelled && force_.degree > 0 ? derivative(i, force_.degree, at_zero)
+                                                  : derivative_name(i, force_.degree));
+    }
     return total;
   }
 
-  /// g~, launch and read-out. Positions relative to the rest point (spring) or velocities to the terminal one
-  /// (drag) obey the free motion.
-  void match_forces() {
-    const bool pushed = force_.degree == 0;
-    if (force_.degree > 0) {
-      kit_.exists = false;
-      kit_.impossible = false;
-      kit_.corrections.clear();
-      kit_.obstruction =
-          "for linear forces the kit is solved for a constant push at most, not for one that is a polynomial "
-          "in t";
-      return;
+  void add_forces(const LinearLaunch& solved) {
+    if (force_.degree >= 0) {
+      const ForceForm f{{}, {}, solved.force};
+      add(LinearCorrection::Kind::parameter, force_.degree == 0 ? "a" : "f",
+          combination(f, nullptr, nullptr, false, false),
+          force_.degree > 0
+              ? "let it see this force instead: the motion that is polynomial in time is then exact"
+          : force_.spring ? "give it this force: the rest point is then exact"
+                          : "give it this force: the terminal speed is then exact",
+          combination(f, nullptr, nullptr, true, false));
     }
-    Fraction rest_v;       // velocity that the integrator reports at rest, or at its terminal speed
-    Fraction push_factor;  // a~ / a
-    const Fraction one(1);
-    if (pushed && force_.spring) {
-      // z = M z + b a~ at rest, with x = a/k
-      const Fraction p = (one - m_[0][0]) * (one - m_[1][1]) - m_[0][1] * m_[1][0];
-      const Fraction x = ((one - m_[1][1]) * push_[0] + m_[0][1] * push_[1]) / p;
-      const Fraction v = (m_[1][0] * push_[0] + (one - m_[0][0]) * push_[1]) / p;
-      push_factor = one / (k_ * x);
-      rest_v = v * push_factor;
-    } else if (pushed) {
-      const Fraction terminal = push_[1] / (one - m_[1][1]);
-      push_factor = Fraction::letter(kStepLetter) / c_ / (m_[0][1] * terminal + push_[0]);
-      rest_v = terminal * push_factor;
+    for (const auto& [target, form] : solved.start) {
+      const bool same = target == "x0" || target == "x"
+                            ? put_(form.x).is_one() && put_(form.v).is_zero() && all_zero(form.f)
+                            : false;
+      if (same) continue;
+      add(LinearCorrection::Kind::launch, target, combination(form, "x0", "v0", false, true),
+          solved.by_states ? "begin with this, in place of what the integrator's own start makes"
+          : target == "v0" ? "start with this velocity: the first position is then exact"
+                           : "start at this position",
+          combination(form, "x0", "v0", true, true));
     }
-    if (pushed)
-      add(LinearCorrection::Kind::parameter, "a", sum_of({{push_factor, "a"}}),
-          force_.spring ? "give it this force: the rest point is then exact"
-                        : "give it this force: the terminal speed is then exact");
-    const Fraction per = one / m_[0][1];
-    const Fraction shift = (cosine_ - m_[0][0]) * per;
-    if (force_.spring) {
-      // v0' - v* = ((C - m11) (x0 - x*) + S v0) / m12
-      add(LinearCorrection::Kind::launch, "v0",
-          sum_of({{shift, "x0"}, {sine_ * per, "v0"}, {pushed ? rest_v - shift / k_ : Fraction(), "a"}}),
-          "start with this velocity: the first position is then exact");
-      const Fraction back = one / sine_;
-      add(LinearCorrection::Kind::read_out, "v",
-          sum_of({{-shift / (sine_ * per), "x_n"},
-                  {m_[0][1] * back, "v_n"},
-                  {pushed ? shift / (sine_ * per) / k_ - m_[0][1] * back * rest_v : Fraction(), "a"}}),
-          "report this velocity; go on with the integrator's own");
-    } else {
-      // v0' - v* = S (v0 - a/c) / m12
-      const Fraction keep = sine_ * per;
-      add(LinearCorrection::Kind::launch, "v0",
-          sum_of({{keep, "v0"}, {pushed ? rest_v - keep / c_ : Fraction(), "a"}}),
-          "start with this velocity: the first position is then exact");
-      add(LinearCorrection::Kind::read_out, "v",
-          sum_of({{one / keep, "v_n"}, {pushed ? one / c_ - rest_v / keep : Fraction(), "a"}}),
-          "report this velocity; go on with the integrator's own");
-    }
+    if (solved.read_out)
+      add(LinearCorrection::Kind::read_out, "v", combination(*solved.read_out, "x_n", "v_n", false, false),
+          "report this velocity; go on with the integrator's own",
+          combination(*solved.read_out, "x_n", "v_n", true, false));
+    else
+      kit_.notes.push_back(
+          "the reported velocity says nothing about the next position, so it has no read-out");
+  }
+
+  bool all_zero(const std::vector<Fraction>& f) const {
+    return std::ranges::all_of(f, [&](const Fraction& e) { return put_(e).is_zero(); });
+  }
+
+  void prove(bool by_states) {
     kit_.proof =
-        "trace and determinant of the step equal those of the exact flow over h, so both motions satisfy "
-        "x(n+2) = T x(n+1) - D x(n) about the same rest "
-        "motion; with the launch they agree at n = 0 and 1, hence for every n";
-    define_flow();
+        std::string(
+            "z^2 - T z + D divides the characteristic polynomial of the step, T and D being trace and "
+            "determinant ") +
+        "of the exact flow over h; the launch puts the state into the plane that M^2 - T M + D takes to 0" +
+        (step_->states() > 2 && by_states ? ", so that the further eigenvalues are not excited" : "") +
+        ". So the positions and the true ones satisfy x(n+2) = T x(n+1) - D x(n) about the same motion" +
+        (force_.degree > 0 ? ", polynomial in time" : "") +
+        "; they agree at n = 0 and 1, hence for every n. Each premise was compared as a rational function.";
   }
 
   void define_flow() {
-    const LinearFlow flow = linear_flow(force_, names_);
+    const LinearFlow flow = linear_flow(force_, step_->map.letters);
     kit_.definitions = flow.definitions;
     const auto at_h = [](const Expr& e) { return replace(e, "t", name("h")); };
     if (force_.spring) {
       kit_.definitions.push_back({"C", at_h(flow.cosine), "true position after h from x0 = 1, v0 = 0"});
       kit_.definitions.push_back({"S", at_h(flow.sine), "true position after h from x0 = 0, v0 = 1"});
     }
-    if (force_.damper) {
-      const Expr c = force_.c ? number(*force_.c) : name("c");
+    const Expr c = force_.c ? number(*force_.c) : name("c");
+    if (force_.damper)
       kit_.definitions.push_back({"D", call("exp", {negate(c) * name("h")}),
                                   "the share of the velocity that damping leaves after h"});
+    if (force_.spring && force_.damper)
+      kit_.definitions.push_back(
+          {"T", number(2) * name("C") - c * name("S"), "the trace of the exact flow over h"});
+    if (kit_.implicit) {
+      if (force_.spring && !force_.damper)
+        for (Polynomial& p : kit_.implicit->equations)
+          p = p.substitute(kFlowTrace, Polynomial(2) * Polynomial::letter(kFlowCosine));
+      for (const Definition& d : kit_.implicit->radicals) kit_.definitions.push_back(d);
     }
   }
 
@@ -207,11 +284,11 @@ class Matcher {
   const Values& given_;
   int substeps_;
   LinearKit kit_;
+  std::optional<OpenStep> step_;
   std::vector<std::string> names_;
   Fraction k_, c_, cosine_, sine_, decay_, trace_;
-  std::vector<std::vector<Fraction>> m_;
-  std::vector<Fraction> push_;
-  Fraction determinant_, integrator_trace_, stiffness_, damping_;
+  BranchPoint point_;
+  std::function<Fraction(Fraction)> put_;
 };
 
 }  // namespace
@@ -232,8 +309,7 @@ std::optional<QuadraticForm> quadratic_form(const std::vector<std::vector<Fracti
 }
 
 LinearKit linear_kit(const Program& program, const Force& force, const Values& given, int substeps) {
-  Matcher matcher(program, force, given, substeps);
-  LinearKit kit = matcher.matched();
+  LinearKit kit = Matcher(program, force, given, substeps).matched();
   kit.conserved = quadratic_form(linear_derivation(program, force, given, substeps).amplification);
   return kit;
 }

@@ -9,6 +9,16 @@ namespace shortfall {
 
 namespace {
 
+Polynomial at(Polynomial p, const BranchPoint& point) {
+  for (const auto& [letter, value] : point) p = p.substitute(letter, value);
+  return p;
+}
+
+/// Whether a value of the unknown is 0 at the point, as the solution that is wanted is.
+bool on_branch(const Fraction& value, const BranchPoint& point) {
+  return at(value.numerator(), point).is_zero() && !at(value.denominator(), point).is_zero();
+}
+
 /// The value of a letter from an equation that is linear in it; empty when it is not.
 std::optional<Fraction> solved_for(const Fraction& equation, Letter unknown) {
   if (equation.numerator().degree(unknown) != 1) return std::nullopt;
@@ -16,88 +26,96 @@ std::optional<Fraction> solved_for(const Fraction& equation, Letter unknown) {
                    equation.numerator().coefficient(unknown, 1));
 }
 
-/// The linear factor in an unknown of an equation whose other factors do not vanish for all letters; several
-/// linear factors are several solutions.
-std::vector<Fraction> roots(const Fraction& equation, Letter unknown, int& highest) {
-  std::vector<Fraction> found;
-  highest = 0;
-  for (const auto& [factor, multiplicity] : factor(equation.numerator()).factors) {
-    const int degree = factor.degree(unknown);
-    highest = std::max(highest, degree);
-    if (degree == 1)
-      found.push_back(-Fraction(factor.coefficient(unknown, 0), factor.coefficient(unknown, 1)));
-  }
-  return found;
-}
-
 bool all_zero(const std::vector<Fraction>& conditions, const Matching& m) {
   return std::ranges::all_of(conditions, [&](const Fraction& f) { return m.put_into(f).is_zero(); });
 }
 
-Matching one_unknown(const std::vector<Fraction>& conditions, Letter unknown,
+/// The factor that vanishes at the point; a product of such factors when there are several.
+Polynomial branch_factor(const Polynomial& p, const BranchPoint& point) {
+  Polynomial result = 1;
+  for (const auto& [factor, multiplicity] : factor(p).factors)
+    if (at(factor, point).is_zero()) result = result * factor.pow(multiplicity);
+  return result;
+}
+
+Matching one_unknown(const std::vector<Fraction>& conditions, Letter unknown, const BranchPoint& point,
                      const std::vector<std::string>& names) {
-  Matching m{{unknown}, {}, false, {}};
+  Matching m{Matching::Kind::impossible, {unknown}, {}, {}, {}};
+  Polynomial common;
   for (const Fraction& condition : conditions) {
-    if (condition.is_zero()) continue;
-    if (!condition.contains(unknown)) {
-      m.impossible = true;
+    if (!condition.is_zero() && !condition.contains(unknown)) {
       m.obstruction = "no choice of " + names[unknown] + " changes the difference " + condition.str(names);
       return m;
     }
-    int highest = 0;
-    for (const Fraction& root : roots(condition, unknown, highest)) {
-      m.values = std::vector<Fraction>{root};
-      if (all_zero(conditions, m)) return m;
-      m.values.reset();
-    }
-    m.obstruction = highest > 1
-                        ? "the condition is an irreducible equation of degree " + std::to_string(highest) +
-                              " in " + names[unknown] + ", whose roots are no rational functions of the flow"
-                        : "the one value of " + names[unknown] + " that matches one of them misses the other";
+    common = gcd(common, condition.numerator());
+  }
+  if (common.degree(unknown) < 1) {
+    m.obstruction =
+        "no value of " + names[unknown] + " satisfies both conditions (their greatest common divisor is 1)";
     return m;
   }
-  m.values = std::vector<Fraction>{Fraction()};
+  for (const auto& [factor, multiplicity] : factor(common).factors) {
+    if (factor.degree(unknown) != 1) continue;
+    m.values = {-Fraction(factor.coefficient(unknown, 0), factor.coefficient(unknown, 1))};
+    if (on_branch(m.values[0], point)) {
+      m.kind = Matching::Kind::rational;
+      return m;
+    }
+    m.values.clear();
+  }
+  m.equations = {branch_factor(common, point)};
+  m.kind = m.equations[0].contains(unknown) ? Matching::Kind::algebraic : Matching::Kind::unknown;
+  if (m.kind == Matching::Kind::unknown)
+    m.obstruction =
+        "no root of the condition on " + names[unknown] + " tends to the true value for small steps";
   return m;
 }
 
 }  // namespace
 
 Fraction Matching::put_into(Fraction f) const {
-  if (values)
-    for (std::size_t i = 0; i < unknowns.size(); ++i) f = f.substitute(unknowns[i], (*values)[i]);
+  for (std::size_t i = 0; i < values.size(); ++i) f = f.substitute(unknowns[i], values[i]);
   return f;
 }
 
 Matching matching(const std::vector<Fraction>& conditions, const std::vector<Letter>& unknowns,
-                  const std::vector<std::string>& names) {
-  if (unknowns.size() == 1) return one_unknown(conditions, unknowns[0], names);
-  Matching best{unknowns,
-                {},
-                false,
-                "the two conditions are polynomials of higher degree in k~ and c~, which we do not solve"};
+                  const BranchPoint& point, const std::vector<std::string>& names) {
+  if (unknowns.size() == 1) return one_unknown(conditions, unknowns[0], point, names);
   // Eliminate one unknown by an equation that is linear in it, then solve the other equation for the second.
   for (const std::size_t eliminated : {std::size_t{1}, std::size_t{0}})
     for (const std::size_t by : {std::size_t{0}, std::size_t{1}}) {
-      const Letter first = unknowns[eliminated];
-      const Letter second = unknowns[1 - eliminated];
-      const std::optional<Fraction> value = solved_for(conditions[by], first);
+      const std::optional<Fraction> value = solved_for(conditions[by], unknowns[eliminated]);
       if (!value) continue;
-      const Fraction rest = conditions[1 - by].substitute(first, *value);
-      const Matching inner = one_unknown({rest}, second, names);
-      if (!inner.values) {
-        best.obstruction = inner.obstruction;
-        continue;
-      }
-      Matching m{unknowns, std::vector<Fraction>(2), false, {}};
-      (*m.values)[1 - eliminated] = (*inner.values)[0];
+      const Matching inner = one_unknown({conditions[1 - by].substitute(unknowns[eliminated], *value)},
+                                         unknowns[1 - eliminated], point, names);
+      if (inner.kind != Matching::Kind::rational) continue;
+      Matching m{Matching::Kind::rational, unknowns, std::vector<Fraction>(2), {}, {}};
       try {
-        (*m.values)[eliminated] = inner.put_into(*value);
-        if (all_zero(conditions, m)) return m;
+        m.values[1 - eliminated] = inner.values[0];
+        m.values[eliminated] = inner.put_into(*value);
+        if (all_zero(conditions, m) && on_branch(m.values[0], point) && on_branch(m.values[1], point))
+          return m;
       } catch (const Undefined&) {
         // The eliminated unknown has no value there.
       }
     }
-  return best;
+  Matching m{Matching::Kind::algebraic, unknowns, {}, {}, {}};
+  for (const Fraction& condition : conditions)
+    m.equations.push_back(branch_factor(condition.numerator(), point));
+  for (const Polynomial& p : m.equations)
+    if (p.is_constant()) {
+      m.kind = Matching::Kind::unknown;
+      m.obstruction =
+          "a condition does not hold in the limit of small steps: the integrator is not consistent";
+    }
+  return m;
+}
+
+Fraction branch_jacobian(const Matching& m, const BranchPoint& point) {
+  std::vector<Polynomial> d;
+  for (const Polynomial& equation : m.equations)
+    for (const Letter unknown : m.unknowns) d.push_back(at(equation.derivative(unknown), point));
+  return d.size() == 1 ? Fraction(d[0]) : Fraction(d[0] * d[3] - d[1] * d[2]);
 }
 
 }  // namespace shortfall

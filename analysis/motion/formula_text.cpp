@@ -59,14 +59,16 @@ Polynomial whole(const Polynomial& p, int multiplicity, Rational& constant) {
   return p * Polynomial(common);
 }
 
-/// constant * factor^m * ..., the shape in which a denominator and its numerator are read most easily.
-Expr factored(const Polynomial& p, const Wording& w) {
+/// constant * factor^m * ..., the shape in which a denominator and its numerator are read most easily; the
+/// constant is multiplied to the one given.
+Expr factored(const Polynomial& p, const Wording& w, Rational& constant) {
   const Factorization f = factor(p);
-  Rational constant = f.constant;
+  Rational own = f.constant;
   Expr powers = number(1);
   for (const auto& [base, multiplicity] : f.factors)
-    powers = powers * power(written_out(whole(base, multiplicity, constant), nullptr, w), multiplicity);
-  return chained(number(constant), powers);
+    powers = powers * power(written_out(whole(base, multiplicity, own), nullptr, w), multiplicity);
+  constant *= own;
+  return powers;
 }
 
 /// n h gathered into t in a rational function whose powers of h suffice; then t stands in the letter of time.
@@ -108,7 +110,11 @@ Expr formula(const Fraction& f, const Wording& w) {
   if (f.is_polynomial()) return written_out(f.numerator(), nullptr, w);
   const Fraction inside = gathered(f, w);
   if (inside.is_polynomial()) return written_out(inside.numerator(), nullptr, w);
-  return factored(inside.numerator(), w) / factored(inside.denominator(), w);
+  // 4*(C - 1)/(h*(3*C - 5)), and not 4/3*(C - 1)/(1/3*h*(3*C - 5)): one constant, in front.
+  Rational above = 1, below = 1;
+  const Expr numerator = factored(inside.numerator(), w, above);
+  const Expr denominator = factored(inside.denominator(), w, below);
+  return chained(number(above / below), numerator) / denominator;
 }
 
 Expr joined(const Expr& total, const Expr& part) {

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/correction/open_step.hpp"
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/program/transform.hpp"
+
+namespace shortfall {
+
+namespace {
+
+constexpr Letter kEigenvalue = kTimeLetter;  // a step's matrix does not contain the letter of time
+
+std::vector<Fraction> monic(const Polynomial& p) {
+  const std::vector<Polynomial> coefficients = p.coefficients(kEigenvalue);
+  std::vector<Fraction> result;
+  for (const Polynomial& c : coefficients) result.emplace_back(c, coefficients.back());
+  return result;
+}
+
+/// Whether a factor has the root 1 where there is no force.
+bool belongs_to_motion(const Polynomial& factor) {
+  return factor.substitute(kStiffness, Rational(0))
+      .substitute(kDamping, Rational(0))
+      .substitute(kEigenvalue, Rational(1))
+      .is_zero();
+}
+
+void split(OpenStep& step) {
+  std::vector<Fraction> p = characteristic_polynomial(step.matrix);
+  while (p[step.zeros].is_zero()) ++step.zeros;
+  step.nonzero.assign(p.begin() + step.zeros, p.end());
+  if (step.nonzero.size() == 3) {
+    step.pair = step.nonzero;
+    return;
+  }
+  Polynomial common = 1;
+  for (const Fraction& c : step.nonzero)
+    common = common * exact_quotient(c.denominator(), gcd(common, c.denominator()));
+  Polynomial cleared;
+  for (std::size_t k = 0; k < step.nonzero.size(); ++k)
+    cleared += (step.nonzero[k] * Fraction(common)).numerator() *
+               Polynomial::letter(kEigenvalue, static_cast<int>(k));
+  Polynomial motion = 1;
+  for (const auto& [factor, multiplicity] : factor(cleared).factors)
+    if (factor.degree(kEigenvalue) > 0 && belongs_to_motion(factor))
+      motion = motion * factor.pow(multiplicity);
+  if (motion.degree(kEigenvalue) == 2) step.pair = monic(motion);
+}
+
+/// That the polynomial parts of the closed form are a motion: q(n+1) = M q(n) + push(n). Everything that is
+/// built on them is built on this.
+void check_particular(const OpenStep& step) {
+  const Fraction next = Fraction::letter(kCount) + Fraction(1);
+  for (int d = 0; d <= step.map.force.degree; ++d)
+    for (int s = 0; s < step.states(); ++s) {
+      Fraction right = step.map.step[s][step.map.force.force_column(d)];
+      for (int j = 0; j < step.states(); ++j)
+        if (!step.matrix[s][j].is_zero()) right += step.matrix[s][j] * step.state(j, d);
+      if (!(step.state(s, d).substitute(kCount, next) == right))
+        throw Error("a particular motion does not survive substitution");
+    }
+}
+
+}  // namespace
+
+Fraction OpenStep::start(int s, int column) const {
+  return map.start[s][column < 2 ? column : map.force.force_column(column - 2)];
+}
+
+OpenStep open_step(const Program& program, const Force& force, const Values& given, int substeps) {
+  OpenStep step;
+  step.map =
+      step_map(lower(substepped(program, substeps), given), force.degree, force.stiffness(), force.damping());
+  step.form = closed_form(step.map);
+  step.matrix = step.map.matrix();
+  split(step);
+  check_particular(step);
+  return step;
+}
+
+}  // namespace shortfall
