@@ -73,10 +73,19 @@ Json as_json(const LinearDerivation& d, const LinearKit& kit) {
                    {"velocity", print(d.exact.velocity)},
                    {"definitions", definitions(d.exact.definitions)},
                    {"condition", d.exact.condition}};
+  Json others = Json::array();
+  for (const FlowCase& other : d.exact.others)
+    others.push_back({{"condition", other.condition},
+                      {"position", print(other.position)},
+                      {"velocity", print(other.velocity)},
+                      {"definitions", definitions(other.definitions)}});
+  json["exact"]["cases"] = others;
+  json["conserved"] = nullptr;
   if (kit.conserved)
     json["conserved"] = {{"x^2", print(formula(kit.conserved->xx, w))},
                          {"x*v", print(formula(kit.conserved->xv, w))},
                          {"v^2", "1"},
+                         {"from", d.amplified_from},
                          {"factor", print(formula(kit.conserved->factor, w))}};
   add_kit(json, kit);
   json["valid_from"] = d.form.valid_from;

@@ -38,8 +38,26 @@ void append_definitions(std::string& text, const std::vector<Definition>& defini
 }
 
 Expr conserved_form(const QuadraticForm& q, const Wording& w) {
-  return joined(power(name("v"), 2),
-                joined(formula(q.xv, name("x") * name("v"), w), formula(q.xx, power(name("x"), 2), w)));
+  const Expr square = power(name("v"), 2);
+  const bool minus = !q.xv.is_zero() && q.xv.numerator().terms().front().coefficient.sign() < 0;
+  const Expr mixed = chained(formula(minus ? -q.xv : q.xv, w), name("x") * name("v"));
+  return joined(minus ? square - mixed : joined(square, mixed), formula(q.xx, power(name("x"), 2), w));
+}
+
+/// What the step does to the energy, or to the quadratic form that takes its place.
+std::string energy(const LinearDerivation& d, const LinearKit& kit, Style style) {
+  if (!d.force.spring) return "";
+  if (!kit.conserved)
+    return "\nEnergy\n  No quadratic form of x and v takes its place: a further carried vector matters.\n";
+  const Wording w = d.wording();
+  const QuadraticForm& q = *kit.conserved;
+  std::string text = "\nEnergy\n  " + print(conserved_form(q, w), style);
+  if (q.xv.is_zero() && q.xx == d.force.stiffness()) text += ", twice the energy,";
+  text += q.factor == Fraction(1)
+              ? " is conserved exactly by every step"
+              : " is multiplied by D = " + print(formula(q.factor, w), style) + " in every step";
+  if (d.amplified_from > 0) text += " from n = " + std::to_string(d.amplified_from) + " on";
+  return text + " (about the rest point; M^T Q M = D Q, proved).\n";
 }
 
 void append_recurrence(std::string& text, const LinearDerivation& d, Style style) {
@@ -67,6 +85,13 @@ std::string as_text(const LinearKit& kit, Style style) {
             c.reason + "\n";
   text += "  with\n";
   append_definitions(text, kit.definitions, style);
+  for (const FlowCase& other : kit.other_flows) {
+    text += "    for " + other.condition + ":\n";
+    for (const auto& [letter, value] : {std::pair{"C", other.cosine}, {"S", other.sine}})
+      text += std::string("      ") + letter + " = " + print(replace(value, "t", name("h")), style) + "\n";
+    for (const Definition& d : other.definitions)
+      text += "      " + print(name(d.name), style) + " = " + print(d.value, style) + "\n";
+  }
   for (const LinearCorrection& c : kit.corrections)
     if (mentions(c.value, "f'")) {
       text +=
@@ -101,9 +126,16 @@ std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style
   text +=
       "  " + line("x(t) ", d.exact.position, style) + "\n  " + line("v(t) ", d.exact.velocity, style) + "\n";
   append_definitions(text, d.exact.definitions, style);
+  for (const FlowCase& other : d.exact.others) {
+    text += "  for " + other.condition + ":\n    " + line("x(t)", other.position, style) + "\n";
+    append_definitions(text, other.definitions, style);
+  }
   text += "  The shortfall is x(t) - x_n and v(t) - v_n: positive means too low.\n";
   if (!d.amplification.empty()) {
-    text += "\nWhy\n  One step is linear: (x, v) becomes M (x, v) plus a push, with\n";
+    text +=
+        "\nWhy\n  One step is linear: (x, v) becomes M (x, v) plus a push" +
+        (d.amplified_from > 0 ? ", from n = " + std::to_string(d.amplified_from) + " on" : std::string()) +
+        ", with\n";
     for (const auto& row : d.amplification)
       text += "    [ " + print(formula(row[0], w), style) + ",  " + print(formula(row[1], w), style) + " ]\n";
     text += "  trace T = " + print(formula(*d.trace, w), style) +
@@ -114,14 +146,7 @@ std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style
         "  roots of z^2 = T z - D. A push adds a motion of its own, found by comparing powers of n. The two "
         "first values fix the rest.\n";
   }
-  if (kit.conserved) {
-    text += "\nEnergy\n  " + print(conserved_form(*kit.conserved, w), style);
-    text +=
-        kit.conserved->factor == Fraction(1)
-            ? " is conserved exactly by every step"
-            : " is multiplied by D = " + print(formula(kit.conserved->factor, w), style) + " in every step";
-    text += " (about the rest point; M^T Q M = D Q, proved).\n";
-  }
+  text += energy(d, kit, style);
   text += "\nCorrections\n" + as_text(kit, style);
   text += "\nProof\n  ";
   text +=

@@ -58,9 +58,9 @@ std::vector<Definition> by_square_roots(const StabilityFunction& r, const std::v
   const Fraction product = Fraction(one * one) + Fraction(b * 4 * one) * trace + Fraction(b * b * 16) * decay;
   const Expr m = name("m");
   const Expr sum = root_of(joined(formula(Fraction(one * 2) + Fraction(b * 4) * trace, w), number(2) * m));
-  const Expr s = name("s");
+  const Expr s = name("q");
   return {{"m", root_of(formula(product, w)), "the product of both square roots"},
-          {"s", sum, "their sum"},
+          {"q", sum, "their sum"},
           {names[kStiffness], (number(1) - s + m) / (number(b * b * 4) * power(kStep, 2)),
            "the stiffness it is given"},
           {names[kDamping], (number(2) - s) / (number(b * 2) * kStep), "the damping it is given"}};

@@ -259,6 +259,7 @@ class Matcher {
   void define_flow() {
     const LinearFlow flow = linear_flow(force_, step_->map.letters);
     kit_.definitions = flow.definitions;
+    kit_.other_flows = flow.others;
     const auto at_h = [](const Expr& e) { return replace(e, "t", name("h")); };
     if (force_.spring) {
       kit_.definitions.push_back({"C", at_h(flow.cosine), "true position after h from x0 = 1, v0 = 0"});

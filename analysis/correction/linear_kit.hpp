@@ -40,6 +40,7 @@ struct LinearKit {
   std::vector<std::string>
       notes;  ///< what does not exist, and why: a stiffness without a damping, for example
   std::vector<LinearCorrection> corrections;
+  std::vector<FlowCase> other_flows;    ///< C and S, as functions of t = h, where k and c are of another kind
   std::vector<Definition> definitions;  ///< C, S, T, D; k_new, c_new where square roots give them
   std::optional<ImplicitParameters>
       implicit;                      ///< how k_new, c_new are found where they are roots of equations

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "analysis/motion/spectrum.hpp"
 #include "analysis/problems/numbers.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/run.hpp"
@@ -156,24 +157,35 @@ class Wave {
   Fraction determinant_;
 };
 
+/// Reported x and v after n steps as functions of x0, v0.
+Matrix pair_after(const ClosedForm& form, int n) {
+  Matrix m(2, std::vector<Fraction>(2));
+  for (const int column : {0, 1})
+    for (const int row : {0, 1}) m[row][column] = motion_at(form, row == 0, n, column);
+  return m;
+}
+
+/// The matrix that takes each reported pair to the next one, if there is one: then the pair alone carries the
+/// motion.
 void find_amplification(LinearDerivation& d) {
-  // Reported x and v after 0 and 1 steps as functions of x0, v0; only when the beginning is reported as it is
-  // given.
-  std::vector<std::vector<Fraction>> m(2, std::vector<Fraction>(2));
-  for (const int column : {0, 1})
-    for (const bool position : {true, false}) {
-      const int row = position ? 0 : 1;
-      if (!(motion_at(d.form, position, 0, column) == Fraction(row == column ? 1 : 0))) return;
-      m[row][column] = motion_at(d.form, position, 1, column);
-    }
-  // ... and when two steps are the square of one: the pair alone carries the motion.
-  for (const int column : {0, 1})
-    for (const bool position : {true, false}) {
-      const int row = position ? 0 : 1;
-      if (!(motion_at(d.form, position, 2, column) == m[row][0] * m[0][column] + m[row][1] * m[1][column]))
-        return;
-    }
+  const int from = d.form.valid_from;
+  const Matrix first = pair_after(d.form, from);
+  const Fraction size = first[0][0] * first[1][1] - first[0][1] * first[1][0];
+  if (size.is_zero()) return;
+  const Matrix second = pair_after(d.form, from + 1);
+  Matrix m = second * Matrix{{first[1][1], -first[0][1]}, {-first[1][0], first[0][0]}};
+  for (auto& row : m)
+    for (Fraction& entry : row) entry /= size;
+  // Both sides of x(n+1) = M x(n) satisfy a recurrence of the order of the carried vectors: so many n are all
+  // n.
+  Matrix now = second;
+  for (int n = from + 1; n <= from + d.map.force.states; ++n) {
+    const Matrix next = pair_after(d.form, n + 1);
+    if (!(m * now == next)) return;
+    now = next;
+  }
   d.amplification = m;
+  d.amplified_from = from;
   d.trace = m[0][0] + m[1][1];
   d.determinant = m[0][0] * m[1][1] - m[0][1] * m[1][0];
   d.discriminant = d.trace->pow(2) - Fraction(4) * *d.determinant;
@@ -193,7 +205,7 @@ LinearDerivation linear_derivation(const Program& program, const Force& force, c
   d.form = closed_form(d.map);
   d.proof = prove(d.map, d.form);
   d.exact = linear_flow(force, d.map.letters);
-  if (d.form.valid_from == 0) find_amplification(d);
+  find_amplification(d);
   const Wording w = d.wording();
   if (d.form.oscillation.is_zero()) {
     d.position = formula(d.form.position, force.degree, w);

@@ -29,6 +29,7 @@ struct LinearDerivation {
   std::vector<std::vector<Fraction>>
       amplification;  ///< 2 x 2: (x, v) as reported, without forces that depend on time alone; empty when
                       ///< the reported pair alone does not determine the next one
+  int amplified_from = 0;  ///< it takes the pair of step n to that of n + 1 from this n on
   std::optional<Fraction> trace;
   std::optional<Fraction> determinant;
   Fraction discriminant;  ///< T^2 - 4 D

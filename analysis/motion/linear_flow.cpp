@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "analysis/algebra/surd.hpp"
+
 namespace shortfall {
 
 namespace {
@@ -33,37 +35,122 @@ Expr product(const Expr& weight, const Expr& vector, const Expr& factor) {
 }
 
 struct Fundamental {
+  std::string condition;
+  std::vector<Definition> definitions;
   Expr cosine, sine, cosine_rate, sine_rate;
+  Expr shape = nullptr;  ///< where cosine_rate is -k times it
 };
 
-Fundamental fundamental(const Force& force, const Wording& w, LinearFlow& flow) {
-  const Expr k = formula(force.stiffness(), w);
+constexpr const char* kRunsAway = ": unstable physics, the true motion itself runs away";
+
+Fundamental drag(const Force& force, const Wording& w) {  // 1 and (1 - e^-ct)/c
   const Expr c = formula(force.damping(), w);
-  if (!force.spring) {  // drag: 1 and (1 - e^-ct)/c
-    const Expr decay = call("exp", {negate(c) * kT});
-    flow.condition = "c is not 0";
-    return {number(1), (number(1) - decay) / c, number(0), decay};
-  }
-  const std::string frequency = force.damper ? "wd" : "w";
-  const Expr omega = name(frequency);
-  const Expr cosine = call("cos", {omega * kT});
-  const Expr sine = call("sin", {omega * kT});
+  const Expr decay = call("exp", {negate(c) * kT});
+  const std::string condition = !force.c ? "c is not 0"
+                                : force.c->sign() < 0
+                                    ? "c < 0, a drag that drives: the speed itself runs away"
+                                    : "all t";
+  return {condition, {}, number(1), (number(1) - decay) / c, number(0), decay};
+}
+
+/// From cos(w t), sin(w t)/w, or what takes their place, and the damping.
+Fundamental damped(const Force& force, const Wording& w, const Expr& cosine, const Expr& sine) {
+  const Expr k = formula(force.stiffness(), w);
+  if (!force.damper) return {{}, {}, cosine, sine, negate(chained(k, sine)), cosine, sine};
+  const Expr half = formula(force.damping() / Fraction(2), w);
+  const Expr decay = call("exp", {negate(half) * kT});
+  return {{},
+          {},
+          decay * (cosine + chained(half, sine)),
+          chained(decay, sine),
+          negate(chained(k * decay, sine)),
+          decay * (cosine - chained(half, sine)),
+          chained(decay, sine)};
+}
+
+/// k - c^2/4, the sign of which tells the cases apart.
+Fraction discriminant(const Force& force) { return force.stiffness() - force.damping().pow(2) / Fraction(4); }
+
+Expr square_root(const Fraction& f, const Wording& w) {
+  if (f.is_constant())
+    if (const Surd root = Surd::sqrt(f.constant()); root.is_rational()) return number(root.rational_part());
+  return call("sqrt", {formula(f, w)});
+}
+
+Fundamental oscillating(const Force& force, const Wording& w) {
+  const Expr omega = name(force.damper ? "wd" : "w");
+  // k sin(w t)/w is w sin(w t) where nothing damps.
+  Fundamental f = damped(force, w, call("cos", {omega * kT}), call("sin", {omega * kT}) / omega);
   if (!force.damper) {
-    flow.definitions.push_back({frequency, call("sqrt", {k}), "angular frequency"});
-    flow.condition =
-        "k > 0 (for k < 0 the physics itself runs away: w is imaginary, cos and sin become cosh and sinh)";
-    return {cosine, sine / omega, negate(omega * sine), cosine};
+    f.cosine_rate = negate(omega * call("sin", {omega * kT}));
+    f.shape = nullptr;
   }
-  flow.definitions.push_back({frequency, call("sqrt", {k - power(c, 2) / number(4)}),
-                              "angular frequency of the damped oscillation"});
-  flow.condition =
-      "k > c^2/4, underdamped (for k < c^2/4 wd is imaginary, cos and sin become cosh and sinh; at k = c^2/4 "
-      "exactly, critical damping, "
-      "cos becomes 1 and sin(wd t)/wd becomes t)";
-  const Expr decay = call("exp", {negate(c / number(2)) * kT});
-  const Expr half = c / number(2);
-  return {decay * (cosine + half * sine / omega), decay * sine / omega, negate(k * decay * sine / omega),
-          decay * (cosine - half * sine / omega)};
+  f.definitions = {{omega->name, square_root(discriminant(force), w),
+                    force.damper ? "angular frequency of the damped oscillation" : "angular frequency"}};
+  f.condition = force.damper ? "k > c^2/4, underdamped" : "k > 0";
+  return f;
+}
+
+Fundamental critical(const Force& force, const Wording& w) {
+  Fundamental f = damped(force, w, number(1), kT);
+  f.condition = "k = c^2/4, critically damped";
+  return f;
+}
+
+Fundamental running(const Force& force, const Wording& w) {
+  const Expr s = name("s");
+  Fundamental f = damped(force, w, call("cosh", {s * kT}), call("sinh", {s * kT}) / s);
+  if (!force.damper) {
+    f.cosine_rate = s * call("sinh", {s * kT});
+    f.shape = nullptr;
+  }
+  f.definitions = {{"s", square_root(-discriminant(force), w), "rate"}};
+  f.condition = !force.damper ? std::string("k < 0") + kRunsAway : "k < c^2/4, overdamped";
+  if (force.damper)
+    f.condition += force.k && force.k->sign() < 0 ? std::string("; k < 0") + kRunsAway
+                   : force.k                      ? ""
+                                                  : std::string(" (with k < 0") + kRunsAway + ")";
+  return f;
+}
+
+std::vector<Fundamental> fundamentals(const Force& force, const Wording& w) {
+  if (!force.spring) return {drag(force, w)};
+  if (const Fraction d = discriminant(force); d.is_constant()) {
+    const int sign = d.constant().sign();
+    return {sign > 0 ? oscillating(force, w) : sign < 0 ? running(force, w) : critical(force, w)};
+  }
+  if (!force.damper) return {oscillating(force, w), running(force, w)};
+  return {oscillating(force, w), critical(force, w), running(force, w)};
+}
+
+/// The motion from x0, v0 under the force's polynomial.
+FlowCase motion(const Force& force, const Wording& w, const Fundamental& f) {
+  Expr x = chained(name("x0"), f.cosine);
+  Expr v = is_number(f.cosine_rate, 0) ? number(0) : joined(number(0), chained(name("x0"), f.cosine_rate));
+  if (f.shape) {  // -4 x0 e^(-2 t), and not -x0 4 e^(-2 t)
+    const Expr weight = formula(-force.stiffness(), name("x0"), w);
+    const bool minus = weight->op == Expression::Op::negate;
+    v = chained(minus ? weight->operands[0] : weight, f.shape);
+    if (minus) v = negate(v);
+  } else if (f.cosine_rate->op == Expression::Op::negate) {
+    v = negate(chained(name("x0"), f.cosine_rate->operands[0]));
+  }
+  x = x + chained(name("v0"), f.sine);
+  v = joined(v, chained(name("v0"), f.sine_rate));
+  for (int d = 0; d <= force.degree; ++d) {
+    const Expr letter = name(column_name(2 + d, force.degree));
+    const std::vector<Fraction> p = particular_polynomial(d, force.stiffness(), force.damping());
+    const std::vector<Fraction> rate = derivative(p);
+    // The particular motion minus the free one that has the same beginning.
+    x = joined(x, formula(as_fraction(p), letter, w));
+    v = joined(v, formula(as_fraction(rate), letter, w));
+    for (const auto& [begin, cosine, sine] :
+         {std::tuple{first(p, w), f.cosine, f.cosine_rate}, {first(rate, w), f.sine, f.sine_rate}}) {
+      x = x - product(begin, letter, cosine);
+      v = v - product(begin, letter, sine);
+    }
+  }
+  return {f.condition, f.definitions, x, v, f.cosine, f.sine};
 }
 
 }  // namespace
@@ -87,30 +174,15 @@ std::vector<Fraction> particular_polynomial(int d, const Fraction& k, const Frac
 }
 
 LinearFlow linear_flow(const Force& force, const std::vector<std::string>& letters) {
-  LinearFlow flow;
   const Wording w{letters, "n", true};
-  const Fundamental f = fundamental(force, w, flow);
-  flow.cosine = f.cosine;
-  flow.sine = f.sine;
-  Expr x = name("x0") * f.cosine;
-  Expr v = is_number(f.cosine_rate, 0) ? number(0) : joined(number(0), name("x0") * f.cosine_rate);
-  x = x + chained(name("v0"), f.sine);
-  v = joined(v, chained(name("v0"), f.sine_rate));
-  for (int d = 0; d <= force.degree; ++d) {
-    const Expr letter = name(column_name(2 + d, force.degree));
-    const std::vector<Fraction> p = particular_polynomial(d, force.stiffness(), force.damping());
-    const std::vector<Fraction> rate = derivative(p);
-    // The particular motion minus the free one that has the same beginning.
-    x = joined(x, formula(as_fraction(p), letter, w));
-    v = joined(v, formula(as_fraction(rate), letter, w));
-    for (const auto& [begin, cosine, sine] :
-         {std::tuple{first(p, w), f.cosine, f.cosine_rate}, {first(rate, w), f.sine, f.sine_rate}}) {
-      x = x - product(begin, letter, cosine);
-      v = v - product(begin, letter, sine);
-    }
+  LinearFlow flow;
+  for (const Fundamental& f : fundamentals(force, w)) {
+    const FlowCase found = motion(force, w, f);
+    if (flow.position)
+      flow.others.push_back(found);
+    else
+      static_cast<FlowCase&>(flow) = found;
   }
-  flow.position = x;
-  flow.velocity = v;
   return flow;
 }
 

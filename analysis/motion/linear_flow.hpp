@@ -16,16 +16,22 @@ struct Definition {
   std::string note;
 };
 
-/// The true motion under a linear force, in closed form.
+/// The motion where the roots of lambda^2 + c lambda + k are of one kind.
+struct FlowCase {
+  std::string condition;  ///< "k > c^2/4, underdamped"
+  std::vector<Definition> definitions;
+  Expr position;  ///< x(t) in x0, v0, f0.., t, k, c and what is defined
+  Expr velocity;
+  Expr cosine;  ///< C(t): the motion from x0 = 1, v0 = 0 without other forces
+  Expr sine;    ///< S(t): the motion from x0 = 0, v0 = 1
+};
+
+/// The true motion under a linear force, in closed form. Where k and c are numbers the case is decided,
+/// exactly; otherwise the oscillating one is the motion itself and the others follow in `others`.
 ///
 /// source  any text on linear differential equations with constant coefficients
-struct LinearFlow {
-  std::vector<Definition> definitions;  ///< w = sqrt(k), or wd = sqrt(k - c^2/4)
-  Expr position;                        ///< x(t) in x0, v0, f0.., t, k, c, w
-  Expr velocity;
-  Expr cosine;            ///< C(t): the motion from x0 = 1, v0 = 0 without other forces
-  Expr sine;              ///< S(t): the motion from x0 = 0, v0 = 1
-  std::string condition;  ///< for which values the formula is real: "k > c^2/4 (underdamped)"
+struct LinearFlow : FlowCase {
+  std::vector<FlowCase> others;
 };
 
 /// The polynomial p with p'' + c p' + k p = t^d, as coefficients of t^0, t^1, ...; a free constant (k = 0) is
