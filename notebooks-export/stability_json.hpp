@@ -7,7 +7,8 @@
 
 namespace shortfall {
 
-/// Schema shortfall.stability/1. Formulas are strings of the .integrator language, in h, w (the frequency), c, z and parameters.
+/// Schema shortfall.stability/1. Formulas are strings of the .integrator language, in h, w (the frequency),
+/// c, z and parameters.
 nlohmann::ordered_json as_json(const Stability& stability);
 
 }  // namespace shortfall

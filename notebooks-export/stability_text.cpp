@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <utility>
 
 #include "notebooks-export/stability_words.hpp"
 
@@ -58,7 +59,7 @@ class Writer {
                              : "\n";
     std::string values;
     for (const auto& [name, value] : s_.parameters)
-      values += (values.empty() ? "" : ", ") + name + " = " + value.str();
+      values += (values.empty() ? "" : ", ") + name + " = " + parameter_text(value);
     if (!values.empty())
       text_ += "for " + values +
                (s_.assumed.empty() ? "" : " (defaults where --param does not say otherwise)") + "\n";
@@ -90,7 +91,7 @@ class Writer {
     }
     if (w.windows.back().to) line("beyond", "unstable for every larger z");
     if (!s_.limit()) return;
-    line("limit", "z = " + exact_number(*s_.limit(), style_, kDigits));
+    line("limit", "z = " + value_words(*s_.limit(), style_, kDigits));
     if (!s_.limit()->is_rational()) line("", isolation_words(*s_.limit(), style_));
     line("", "steps a period: more than " + steps_a_period());
     at_limit();
@@ -182,14 +183,19 @@ class Writer {
     if (!s_.damped || s_.damped->spurious_count() != 0 || s_.substeps > 1) return;
     const Amplification& a = *s_.damped;
     section("Both, x'' = " + minus() + omega() + squared() + " x " + minus() + " c v");
-    line("trace", formula(a.trace(), a));
-    line("determinant", formula(a.determinant(), a));
-    const std::string at_least = unicode() ? " ≥ 0" : " >= 0";
     const Fraction t = a.trace(), d = a.determinant();
-    line("stable where", formula(Fraction(1) - d, a) + at_least);
-    line("", formula(Fraction(1) - t + d, a) + at_least);
-    line("", formula(Fraction(1) + t + d, a) + at_least);
-    line("", "(all three; where one is 0, an eigenvalue lies on the unit circle)");
+    line("trace", "T = " + formula(t, a));
+    line("determinant", "D = " + formula(d, a));
+    const std::string at_least = unicode() ? " ≥ 0" : " >= 0", less = " " + minus() + " ";
+    const std::pair<std::string, Fraction> conditions[] = {{"1" + less + "D", Fraction(1) - d},
+                                                           {"1" + less + "T + D", Fraction(1) - t + d},
+                                                           {"1 + T + D", Fraction(1) + t + d}};
+    for (const auto& [name, value] : conditions) {
+      const std::string text = print(stability_formula(value, a, StabilityLetters::products), style_);
+      line(name == conditions[0].first ? "stable where" : "",
+           name + (text.size() <= kWidestFormula ? " = " + text : "") + at_least);
+    }
+    line("", "(where one of the three is 0, an eigenvalue lies on the unit circle)");
   }
 
   void function() {

@@ -75,14 +75,27 @@ Expr stability_function_formula(const StabilityFunction& r) {
   return letter_formula(f, {{{kStiffness, "z"}}, {}});
 }
 
-std::string exact_number(const RealRoot& r, Style style, int digits) {
+std::string value_words(const RealRoot& r, Style style, int digits) {
   const std::string decimal = r.is_rational() ? trimmed(r.significant(digits)) : r.significant(digits);
-  if (const auto formula = radical_formula(r)) {
-    const std::string text = print(*formula, style);
-    if (text == decimal) return text;
-    if (text.size() <= kLongestRadical) return text + " = " + decimal;
+  const auto formula = radical_formula(r);
+  if (!formula) return decimal;
+  const std::string text = print(*formula, style);
+  return text == decimal ? text : text.size() <= kLongestRadical ? text + " = " + decimal : decimal;
+}
+
+std::string exact_number(const RealRoot& r, Style style, int digits) {
+  const std::string value = value_words(r, style, digits);
+  const bool told = r.is_rational() || value.find('=') != std::string::npos;
+  return told ? value : value + " (a root of " + polynomial_words(r, style) + ")";
+}
+
+std::string parameter_text(const Rational& value) {
+  const std::string fraction = value.str();
+  for (int places = 1; places < static_cast<int>(fraction.size()); ++places) {
+    const std::string decimal = value.decimal(places);
+    if (Rational::parse(decimal) == value) return decimal.size() < fraction.size() ? decimal : fraction;
   }
-  return decimal + " (a root of " + polynomial_words(r, style) + ")";
+  return fraction;
 }
 
 std::string isolation_words(const RealRoot& r, Style style) {

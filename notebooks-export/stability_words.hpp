@@ -27,6 +27,12 @@ Expr stability_function_formula(const StabilityFunction& r);
 /// "2 √2 = 2.8284271247461900976"; a number without a short formula shows its decimals and its polynomial.
 std::string exact_number(const RealRoot& r, Style style, int digits);
 
+/// The same without the polynomial.
+std::string value_words(const RealRoot& r, Style style, int digits);
+
+/// A rational parameter: 1/4, or the decimal -0.06626458266981849 where that is shorter.
+std::string parameter_text(const Rational& value);
+
 /// "the only root of x² − 8 between 2.8 and 2.9"; for an irrational number.
 std::string isolation_words(const RealRoot& r, Style style);
 

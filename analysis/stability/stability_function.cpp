@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/stability/stability_function.hpp"
 
+#include <algorithm>
+
 #include "analysis/algebra/error.hpp"
 #include "analysis/problems/letters.hpp"
 #include "analysis/stability/amplification.hpp"
@@ -38,6 +40,17 @@ Rational value_of(const Expr& e, const Values& parameters) {
       break;
   }
   throw Unable("an entry of the tableau is no rational number");
+}
+
+bool is_rational(const Tableau& tableau, const Values& parameters) {
+  try {
+    for (const auto& row : tableau.a)
+      for (const Expr& e : row) value_of(e, parameters);
+    for (const Expr& e : tableau.b) value_of(e, parameters);
+    return true;
+  } catch (const Unable&) {
+    return false;
+  }
 }
 
 /// det(1 - z M), from the characteristic polynomial of M.
@@ -113,17 +126,21 @@ StabilityFunction stability_function(const Tableau& tableau, const Values& param
 
 std::optional<StabilityFunction> stability_function(const Program& program, const Values& given) {
   const Values parameters = parameter_values(program, given);
-  if (program.tableau) return stability_function(*program.tableau, parameters);
+  if (program.tableau && is_rational(*program.tableau, parameters))
+    return stability_function(*program.tableau, parameters);
   const Amplification a = amplification(program, parameters, Damping::viscous);
   if (a.matrix.size() != 2) return std::nullopt;
   // Drag alone: the velocity is multiplied by R(-d).
   const Fraction drag = a.matrix[1][1].substitute(kStiffness, Fraction());
+  if (std::ranges::any_of(a.algebraic, [&](const AlgebraicLetter& l) { return drag.contains(l.letter); }))
+    return std::nullopt;
   const auto p = mirrored(univariate(drag.numerator(), kDamping)),
              q = mirrored(univariate(drag.denominator(), kDamping));
   StabilityFunction r = reduced(p, q);
   const Fraction y = Fraction::letter(kStiffness), d = Fraction::letter(kDamping);
   const SquareMatrix<Fraction> flow{{0, 1}, {-y, -d}};
-  if (product(in_matrix(r.denominator, flow), a.matrix) != in_matrix(r.numerator, flow)) return std::nullopt;
+  if (reduced(product(in_matrix(r.denominator, flow), a.matrix), a.algebraic) != in_matrix(r.numerator, flow))
+    return std::nullopt;
   return r;
 }
 
