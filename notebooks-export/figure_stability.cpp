@@ -145,14 +145,15 @@ struct Box {
 
 /// A box that shows what there is to see: the bounded stable region, or the bounded unstable one.
 Box box_of(const StabilityFunction& r) {
-  const bool bounded = !r.size_at_infinity() || *r.size_at_infinity() > 1;
+  const bool bounded = !r.size_at_infinity() || Algebraic(1) < *r.size_at_infinity();
+  const SampledFunction sampled(r);
   double scale = 2.0 * (r.numerator.degree() + r.denominator.degree()) + 4;
   Box seen{0, 0, 0};
   constexpr int kLook = 120;
   for (int i = -kLook; i <= kLook; ++i)
     for (int j = 0; j <= kLook; ++j) {
       const std::complex<double> z(scale * i / kLook, scale * j / kLook);
-      if ((sampled_size(r, z) <= 1) != bounded) continue;
+      if ((sampled.size(z) <= 1) != bounded) continue;
       seen.left = std::min(seen.left, z.real());
       seen.right = std::max(seen.right, z.real());
       seen.top = std::max(seen.top, z.imag());
@@ -183,10 +184,11 @@ Figure::Panel region_panel(const Stability& s) {
   panel.y = {"Im z", "", -box.top, box.top, false};
   panel.equal_scales = true;
   constexpr int kFine = 361;
+  const SampledFunction sampled(r);
   Grid grid{box.left, box.right, -box.top, box.top, kFine, kFine, {}};
   for (int row = 0; row < kFine; ++row)
     for (int column = 0; column < kFine; ++column)
-      grid.values.push_back(sampled_size(r, {grid.x(column), grid.y(row)}));
+      grid.values.push_back(sampled.size({grid.x(column), grid.y(row)}));
   const std::array<std::pair<double, double>, 5> tints{
       {{1, 0.16}, {0.8, 0.26}, {0.6, 0.38}, {0.4, 0.52}, {0.2, 0.68}}};
   for (const auto& [level, strength] : tints)

@@ -131,6 +131,12 @@ Json drag_json(const Stability& s) {
   return json;
 }
 
+Json algebraic_json(const Algebraic& a) {
+  if (a.is_rational()) return a.rational().str();
+  std::string decimal = algebraic_text(a, Style::language);
+  return {{"formula", nullptr}, {"decimal", decimal.substr(decimal.find(' ') + 1)}, {"digits", 10}};
+}
+
 Json function_json(const Stability& s) {
   if (!s.function) return nullptr;
   const StabilityProperties& p = *s.properties;
@@ -140,7 +146,7 @@ Json function_json(const Stability& s) {
           {"l_stable", p.l_stable},
           {"i_stable", p.imaginary_axis},
           {"poles_right", p.poles_right},
-          {"size_at_infinity", far ? Json(far->str()) : Json(nullptr)},
+          {"size_at_infinity", far ? algebraic_json(*far) : Json(nullptr)},
           {"exceeds_1_at_imaginary", p.violated_at ? Json(p.violated_at->str()) : Json(nullptr)},
           {"real_axis",
            {{"stable", summary(p.real_axis)},

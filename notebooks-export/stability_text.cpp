@@ -213,9 +213,9 @@ class Writer {
                                       std::string(unicode() ? "≤" : "<=") + " 1 for every real y"
                                 : "no: " + why);
     if (p.a_stable) {
-      const Rational far = *s_.function->size_at_infinity();
+      const std::string far = algebraic_text(*s_.function->size_at_infinity(), style_);
       line("L-stable", p.l_stable ? "yes: besides, R(z) tends to 0 for large z"
-                                  : "no: |R(z)| tends to " + far.str() + " for large z");
+                                  : "no: |R(z)| tends to " + far + " for large z");
     }
     if (p.real_axis.always()) line("real axis", "stable for every z < 0");
     for (const Window& w : p.real_axis.windows)

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/stability_words.hpp"
 
+#include <array>
+#include <cstdio>
+
 #include "analysis/problems/letters.hpp"
 #include "analysis/stability/isolation.hpp"
 #include "analysis/stability/radicals.hpp"
@@ -70,9 +73,17 @@ Expr characteristic_formula(const Amplification& a, StabilityLetters letters) {
 }
 
 Expr stability_function_formula(const StabilityFunction& r) {
-  const Fraction f(Polynomial::in(kStiffness, r.numerator.coefficients()),
-                   Polynomial::in(kStiffness, r.denominator.coefficients()));
-  return letter_formula(f, {{{kStiffness, "z"}}, {}});
+  FormulaLetters letters{{{kStiffness, "z"}}, {}};
+  for (const AlgebraicLetter& l : r.algebraic)
+    letters.parameters.push_back({l.letter, r.letters[static_cast<std::size_t>(l.letter)]});
+  return letter_formula(r.formula, letters);
+}
+
+std::string algebraic_text(const Algebraic& a, Style style) {
+  if (a.is_rational()) return a.rational().str();
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.10g", a.to_double());
+  return (style == Style::unicode ? "≈ " : "~ ") + std::string(text.data());
 }
 
 std::string value_words(const RealRoot& r, Style style, int digits) {

@@ -30,6 +30,9 @@ std::string exact_number(const RealRoot& r, Style style, int digits);
 /// The same without the polynomial.
 std::string value_words(const RealRoot& r, Style style, int digits);
 
+/// "1/2", "≈ 0.4142135624".
+std::string algebraic_text(const Algebraic& a, Style style);
+
 /// A rational parameter: 1/4, or the decimal -0.06626458266981849 where that is shorter.
 std::string parameter_text(const Rational& value);
 

@@ -28,16 +28,20 @@ Rational spread(const Univariate<Rational>& p, const Rational& reach, const Rati
 
 }  // namespace
 
-Algebraic::Algebraic(const Univariate<Rational>& p, Generator r) : generator_(std::move(r)), value_(p) { reduce(); }
+Algebraic::Algebraic(const Univariate<Rational>& p, Generator r) : generator_(std::move(r)), value_(p) {
+  reduce();
+}
 
 void Algebraic::reduce() {
-  if (generator_ && value_.degree() >= generator_->degree()) value_ = divided(value_, generator_->polynomial()).second;
+  if (generator_ && value_.degree() >= generator_->degree())
+    value_ = divided(value_, generator_->polynomial()).second;
   if (value_.degree() < 1) generator_.reset();
 }
 
 void Algebraic::join(const Algebraic& other) {
   if (!other.generator_) return;
-  if (generator_ && generator_ != other.generator_) throw Error("two numbers of different number fields were combined");
+  if (generator_ && generator_ != other.generator_)
+    throw Error("two numbers of different number fields were combined");
   generator_ = other.generator_;
 }
 
@@ -47,6 +51,16 @@ int Algebraic::sign() const {
     const Rational reach = std::max(narrow.low().abs(), narrow.high().abs());
     const Rational middle = value_.at((narrow.low() + narrow.high()) / 2);
     if (middle.abs() > spread(value_, reach, narrow.high() - narrow.low())) return middle.sign();
+  }
+}
+
+double Algebraic::to_double() const {
+  if (is_rational()) return rational().to_double();
+  for (RealRoot narrow = *generator_;; narrow = narrow.refined((narrow.high() - narrow.low()) / 65536)) {
+    const Rational reach = std::max(narrow.low().abs(), narrow.high().abs());
+    const Rational middle = value_.at((narrow.low() + narrow.high()) / 2);
+    if (middle.abs() > spread(value_, reach, narrow.high() - narrow.low()) * Rational(2).pow(54))
+      return middle.to_double();
   }
 }
 

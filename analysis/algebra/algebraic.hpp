@@ -10,7 +10,8 @@ namespace shortfall {
 
 /// A number of the field Q(r) that one real algebraic number r generates: an exact, ordered field.
 ///
-/// Invariant: a polynomial in r of lower degree than r's own. Rational numbers belong to every field; two others must share their generator.
+/// Invariant: a polynomial in r of lower degree than r's own. Rational numbers belong to every field; two
+/// others must share their generator.
 class Algebraic {
  public:
   using Generator = std::shared_ptr<const RealRoot>;
@@ -27,7 +28,11 @@ class Algebraic {
   Algebraic abs() const { return sign() < 0 ? -*this : *this; }
   bool is_rational() const { return value_.degree() < 1; }
   Rational rational() const { return is_zero() ? Rational() : value_[0]; }  ///< meaningful when is_rational()
-  const Univariate<Rational>& polynomial() const { return value_; }  ///< p with p(r) its value, of lower degree than r
+  const Univariate<Rational>& polynomial() const {
+    return value_;
+  }  ///< p with p(r) its value, of lower degree than r
+
+  double to_double() const;  ///< within a few units of the last place
 
   Algebraic operator-() const;
   Algebraic& operator+=(const Algebraic&);

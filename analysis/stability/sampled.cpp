@@ -45,9 +45,16 @@ std::vector<double> SampledEigenvalues::sizes(double z) const {
   return result;
 }
 
-double sampled_size(const StabilityFunction& r, std::complex<double> z) {
-  return std::abs(value(rounded(r.numerator), z) / value(rounded(r.denominator), z));
+SampledFunction::SampledFunction(const StabilityFunction& r) {
+  for (const Algebraic& c : r.numerator.coefficients()) numerator_.push_back(c.to_double());
+  for (const Algebraic& c : r.denominator.coefficients()) denominator_.push_back(c.to_double());
 }
+
+double SampledFunction::size(std::complex<double> z) const {
+  return std::abs(value(numerator_, z) / value(denominator_, z));
+}
+
+double sampled_size(const StabilityFunction& r, std::complex<double> z) { return SampledFunction(r).size(z); }
 
 std::vector<std::complex<double>> sampled_roots(const std::vector<double>& p) {
   using Complex = std::complex<double>;

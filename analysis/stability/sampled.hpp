@@ -23,7 +23,19 @@ class SampledEigenvalues {
   std::vector<std::vector<double>> denominators_;
 };
 
-/// |R(z)|.
+/// A stability function in binary64.
+class SampledFunction {
+ public:
+  explicit SampledFunction(const StabilityFunction& r);
+
+  double size(std::complex<double> z) const;  ///< |R(z)|
+
+ private:
+  std::vector<double> numerator_;
+  std::vector<double> denominator_;
+};
+
+/// |R(z)|, once.
 double sampled_size(const StabilityFunction& r, std::complex<double> z);
 
 /// All roots of a polynomial, lowest coefficient first.

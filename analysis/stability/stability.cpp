@@ -90,10 +90,10 @@ Stability stability(const Program& program, const Values& given, int substeps) {
       if (r.to) r.to = scaled(*r.to, substeps);
     }
     s.damped = repeated(damped, written);
+    s.function = stability_function(program, s.parameters);
   } catch (const Undefined&) {
     // A stage that drag alone makes singular: there is nothing to report about it.
   }
-  s.function = stability_function(program, s.parameters);
   if (s.function) s.properties = stability_properties(*s.function);
   return s;
 }
