@@ -15,14 +15,14 @@ const Expr kStep = name("h");
 
 Expr root_of(const Expr& e) { return call("sqrt", {e}); }
 
-/// R(u) as a formula; the roots u belong to the whole frame, so a substep sees u/N.
+/// R(u), its coefficients rational, as a formula; the roots u belong to the whole frame, so a substep sees u/N.
 Expr function_formula(const StabilityFunction& r, int substeps) {
   const Expr u = substeps == 1 ? name("u") : name("u") / number(substeps);
-  const auto polynomial = [&](const Univariate<Rational>& p) {
+  const auto polynomial = [&](const Univariate<Algebraic>& p) {
     Expr total = number(0);
     for (int j = 0; j <= p.degree(); ++j) {
       if (p[j].is_zero()) continue;
-      Expr term = number(p[j].abs());
+      Expr term = number(p[j].rational().abs());
       if (j > 0) term = term * power(u, j);
       total = p[j].sign() < 0 ? total - term : total + term;
     }
@@ -37,10 +37,10 @@ Expr function_formula(const StabilityFunction& r, int substeps) {
 /// functions in T and D only, so they are real whatever the eigenvalues are.
 std::vector<Definition> by_square_roots(const StabilityFunction& r, const std::vector<Letter>& unknowns,
                                         bool undamped, const std::vector<std::string>& names) {
-  if (r.denominator.degree() != 0 || r.numerator.degree() != 2 || !(r.numerator[0] == Rational(1)) ||
-      !(r.numerator[1] == Rational(1)))
+  if (r.denominator.degree() != 0 || r.numerator.degree() != 2 || !(r.numerator[0] == Algebraic(1)) ||
+      !(r.numerator[1] == Algebraic(1)))
     return {};
-  const Rational b = r.numerator[2];
+  const Rational b = r.numerator[2].rational();
   const Rational one = Rational(1) - b * 4;
   const Wording w{names, "n", true};
   // 1 - 4 b + 4 b e^(lambda h) = s^2, u = (s - 1)/(2 b).
@@ -124,7 +124,7 @@ ImplicitParameters implicit_parameters(const Matching& matching, const BranchPoi
   p.jacobian = branch_jacobian(matching, point);
   p.leading = leading_differences(matching, point, k, c);
   try {
-    if (const auto r = stability_function(program, given)) {
+    if (const auto r = stability_function(program, given); r && r->algebraic.empty()) {
       p.stability_function = function_formula(*r, substeps);
       if (substeps == 1) p.radicals = by_square_roots(*r, p.unknowns, c.is_zero(), names);
     }
