@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
+#include <optional>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit.hpp"
@@ -34,12 +35,30 @@ int correct_linear(const Question& q, const Force& force) {
   const Program program = q.program();
   const LinearKit kit = linear_kit(program, force, q.values(), q.substeps);
   const Style style = q.ascii ? Style::language : Style::unicode;
-  if (q.json)
-    write_output(as_json(kit, linear_derivation(program, force, q.values(), q.substeps)).dump(2) + "\n",
-                 q.output);
-  else
-    write_output(program.name + ", force " + force.text + "\n" + as_text(kit, style), q.output);
-  return kit.exists ? kDone : kNotDerivable;
+  // With numbers for the letters there are numbers to type in, too.
+  std::optional<KitNumbers> numbers;
+  std::string no_numbers;
+  if (kit.exists && (!force.spring || force.k) && (!force.damper || force.c)) {
+    try {
+      numbers = kit_numbers(kit, force, parameter_values(program, q.values()), q.step());
+    } catch (const Unable& e) {
+      no_numbers = e.what();
+    }
+  }
+  if (q.json) {
+    auto json = as_json(kit, linear_derivation(program, force, q.values(), q.substeps));
+    json["dt"] = q.step().str();
+    json["numbers"] = numbers ? as_json(*numbers) : nlohmann::ordered_json(nullptr);
+    json["numbers_obstruction"] =
+        no_numbers.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(no_numbers);
+    write_output(json.dump(2) + "\n", q.output);
+  } else {
+    std::string text = program.name + ", force " + force.text + "\n" + as_text(kit, style);
+    if (numbers) text += as_text(*numbers, kit, q.step());
+    if (!no_numbers.empty()) text += "  At dt = " + q.step().str() + " s none: " + no_numbers + "\n";
+    write_output(text, q.output);
+  }
+  return kit.exists && no_numbers.empty() ? kDone : kNotDerivable;
 }
 
 int correct(const Question& q) {
@@ -65,7 +84,7 @@ void add_correct(CLI::App& app, int& code) {
       app, "Start here", "correct",
       "The correction kit alone: what to add to launch, read-out, force or step.",
       {"correct symplectic-euler --force constant", "correct symplectic-euler --force constant --lang csharp",
-       "correct explicit-euler --force poly:2 --json"});
+       "correct explicit-euler --force poly:2 --json", "correct rk4 --force spring:k=4 --dt 1/10"});
   auto q = std::make_shared<Question>();
   auto language = std::make_shared<std::string>();
   add_integrator(*command, *q);

@@ -4,6 +4,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
+#include "analysis/correction/kit_numbers.hpp"
 #include "analysis/correction/linear_kit.hpp"
 #include "analysis/program/print.hpp"
 
@@ -15,6 +16,10 @@ std::string as_text(const LinearDerivation& derivation, const LinearKit& kit, St
 
 /// The kit alone.
 std::string as_text(const LinearKit& kit, Style style);
+
+/// The kit in numbers, for one step length.
+std::string as_text(const KitNumbers& numbers, const LinearKit& kit, const Rational& h);
+nlohmann::ordered_json as_json(const KitNumbers& numbers);
 
 /// amsmath.
 std::string as_latex(const LinearDerivation& derivation, const LinearKit& kit);

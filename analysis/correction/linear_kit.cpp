@@ -118,7 +118,17 @@ class Matcher {
     return text + "the determinant of the step is " + print_in_scaled(step_->pair[0]) +
            ", y = h^2 k_new, and has to be 1; y would be a root of a polynomial with constant coefficients, "
            "so would not "
-           "depend on w h, and neither would the trace, which has to be 2 cos(w h)";
+           "depend on w h, and neither would the trace, which has to be 2 cos(w h)" +
+           for_letters(step_->pair[0]);
+  }
+
+  /// A statement about letters says nothing about each of their values.
+  std::string for_letters(const Fraction& f) const {
+    std::string letters;
+    for (Letter letter = kFirstParameter; letter < kTrueStiffness; ++letter)
+      if (f.contains(letter)) letters += (letters.empty() ? "" : ", ") + names_[letter];
+    return letters.empty() ? ""
+                           : "; so with " + letters + " left open, a single value is asked for with --param";
   }
 
   /// With h = 1: y for h^2 k.

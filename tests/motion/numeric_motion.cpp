@@ -8,85 +8,11 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/real.hpp"
 #include "analysis/motion/ball_flow.hpp"
-#include "analysis/problems/numbers.hpp"
 #include "analysis/program/catalogue.hpp"
-#include "analysis/program/run.hpp"
-#include "analysis/program/transform.hpp"
+#include "tests/motion/numeric_stepping.hpp"
 
 using namespace shortfall;
-
-namespace {
-
-NumericQuestion question(const char* force, const char* h, const char* steps) {
-  NumericQuestion q;
-  q.force = force_named(force);
-  q.h = Rational::parse(h);
-  q.x0 = Rational(3, 2);
-  q.v0 = Rational(-2, 3);
-  q.steps = Rational::parse(steps);
-  return q;
-}
-
-/// The same by stepping: the interpreter of programs, no matrix.
-std::pair<Rational, Rational> stepped_exactly(const Program& program, const NumericQuestion& q, int steps) {
-  const Rational k = q.force.stiffness().constant(), c = q.force.damping().constant();
-  Numbers<Rational> problem{[&](const Rational& x, const Rational& v, const Rational& t) {
-    Rational f;
-    for (int d = q.force.degree; d >= 0; --d) f = f * t + q.force.push.at(d);
-    return f - k * x - c * v;
-  }};
-  const Tape tape = lower(substepped(program, q.substeps), q.parameters);
-  Run<Numbers<Rational>> run(tape, problem, q.h);
-  run.begin(q.x0, q.v0, 0);
-  for (int n = 0; n < steps; ++n) run.step();
-  return run.read_out();
-}
-
-Rational shown(const CertainNumber& n) {
-  REQUIRE(n.decimal);
-  return Rational::parse(*n.decimal);
-}
-
-bool near(const Rational& a, const Rational& b, int digits) {
-  return (a - b).abs() <= b.abs() * Rational(10).pow(-digits);
-}
-
-const char* const kForces[] = {"constant:a=-9.81",   "poly:2:f0=1,f1=-2,f2=1/3",
-                               "spring:k=3",         "damped-spring:k=5,c=1/3",
-                               "drag:c=3/7,a=-9.81", "poly:1:f0=2,f1=1/5+damped-spring:k=2,c=1/9",
-                               "spring:k=-2",        "damped-spring:k=4,c=4"};
-
-}  // namespace
-
-TEST_CASE("numbers after n steps are those of stepping in rationals, for the whole catalogue") {
-  int exact = 0, certain = 0;
-  for (const Program& p : catalogue())
-    for (const char* force : kForces)
-      for (const char* steps : {"0", "1", "4", "30", "200"}) {
-        // Long rationals are slow to step: one force so far.
-        if (std::string(steps) == "200" && std::string(force) != "spring:k=3") continue;
-        CAPTURE(p.name);
-        CAPTURE(force);
-        CAPTURE(steps);
-        NumericQuestion q = question(force, "1/20", steps);
-        q.digits = 30;
-        NumericMotion m;
-        try {
-          m = numeric_motion(p, q);
-        } catch (const Unable&) {
-          continue;  // no linear step, and it says why
-        }
-        const auto [x, v] = stepped_exactly(p, q, std::stoi(steps));
-        for (const auto& [number, truth] : {std::pair{&m.position, &x}, {&m.velocity, &v}}) {
-          CHECK(number->ball.contains(*truth));
-          CHECK(shown(*number) == Rational::parse(truth->significant(30)));
-          ++(number->exact ? exact : certain);
-          if (number->exact) CHECK(*number->exact == *truth);
-        }
-      }
-  CHECK(exact > 500);
-  CHECK(certain > 30);
-}
+using namespace shortfall::numeric;
 
 TEST_CASE("10^18 steps of an oscillation have the digits of cos(n theta), which MPFR computes") {
   // velocity Verlet: x_n = x0 cos(n theta) + v0 h sin(n theta)/sin(theta) with cos(theta) = 1 - h^2 k/2.

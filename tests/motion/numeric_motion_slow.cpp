@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <doctest/doctest.h>
+
+#include "analysis/algebra/error.hpp"
+#include "tests/motion/numeric_stepping.hpp"
+
+using namespace shortfall;
+using namespace shortfall::numeric;
+
+namespace {
+
+const char* const kForces[] = {"constant:a=-9.81",   "poly:2:f0=1,f1=-2,f2=1/3",
+                               "spring:k=3",         "damped-spring:k=5,c=1/3",
+                               "drag:c=3/7,a=-9.81", "poly:1:f0=2,f1=1/5+damped-spring:k=2,c=1/9",
+                               "spring:k=-2",        "damped-spring:k=4,c=4"};
+
+}  // namespace
+
+TEST_CASE("numbers after n steps are those of stepping in rationals, for the whole catalogue") {
+  int exact = 0, certain = 0;
+  for (const Program& p : catalogue())
+    for (const char* force : kForces)
+      for (const char* steps : {"0", "1", "4", "30", "200"}) {
+        // Long rationals are slow to step: one force so far.
+        if (std::string(steps) == "200" && std::string(force) != "spring:k=3") continue;
+        CAPTURE(p.name);
+        CAPTURE(force);
+        CAPTURE(steps);
+        NumericQuestion q = question(force, "1/20", steps);
+        q.digits = 30;
+        NumericMotion m;
+        try {
+          m = numeric_motion(p, q);
+        } catch (const Unable&) {
+          continue;  // no linear step, and it says why
+        }
+        const auto [x, v] = stepped_exactly(p, q, std::stoi(steps));
+        for (const auto& [number, truth] : {std::pair{&m.position, &x}, {&m.velocity, &v}}) {
+          CHECK(number->ball.contains(*truth));
+          CHECK(shown(*number) == Rational::parse(truth->significant(30)));
+          ++(number->exact ? exact : certain);
+          if (number->exact) CHECK(*number->exact == *truth);
+        }
+      }
+  CHECK(exact > 500);
+  CHECK(certain > 30);
+}
