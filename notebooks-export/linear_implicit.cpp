@@ -37,9 +37,11 @@ std::string range_text(const BranchRange& r, const ImplicitParameters& p) {
                     "strictly to -2\n"
                   : "    it exists for every c h > 0: what the step leaves of the velocity falls strictly to "
                     "0\n";
-  return std::string("    it exists as long as ") + (spring ? "cos(w h)" : "exp(-c h)") + " >= ≈ " +
-         *r.least + ": the step's own value falls strictly until " + (spring ? "h^2 k_new" : "h c_new") +
-         " = ≈ " + r.end->significant(20) + " and no further\n";
+  const bool exact = r.end->is_rational();
+  return std::string("    it exists as long as ") + (spring ? "cos(w h)" : "exp(-c h)") + " >= " + *r.least +
+         (exact ? "" : " (rounded)") + ": the step's own value falls strictly until\n    " +
+         (spring ? "  h^2 k_new" : "  h c_new") +
+         (exact ? " = " + r.end->rational().str() : " ≈ " + r.end->significant(20)) + " and no further\n";
 }
 
 }  // namespace
@@ -75,7 +77,7 @@ std::string implicit_text(const LinearKit& kit, Style style) {
     text = text.substr(0, text.rfind("it exists")) +
            "they exist and are unique for small h: the determinant of the derivatives of both equations";
   text += " by " + list_of_unknowns(p, style) + " is " + print(formula(p.jacobian, kit.wording()), style) +
-          " in the limit,\n    not 0 (implicit function theorem)\n";
+          " in the\n    limit, not 0 (implicit function theorem)\n";
   for (std::size_t i = 0; i < p.leading.size(); ++i)
     text += "    " + print(name(unknown_name(p, i)), style) + " = " +
             (p.leading[i].is_zero()

@@ -32,6 +32,33 @@ std::string kind(LinearCorrection::Kind k) {
   return "";
 }
 
+/// Broken between words into lines of at most 125 columns; the lines after the first are indented.
+std::string wrapped(const std::string& text, const std::string& indent) {
+  constexpr std::size_t kColumns = 125;
+  std::string result, row;
+  std::size_t width = 0;
+  const auto columns = [](const std::string& s) {
+    return static_cast<std::size_t>(std::ranges::count_if(s, [](char c) { return (c & 0xC0) != 0x80; }));
+  };
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = text.find(' ', begin);
+    if (end == std::string::npos) end = text.size();
+    const std::string word = text.substr(begin, end - begin);
+    begin = end + 1;
+    if (width > 0 && width + 1 + columns(word) > kColumns) {
+      result += row + "\n";
+      row = indent;
+      width = indent.size();
+    } else if (width > 0) {
+      row += " ";
+      ++width;
+    }
+    row += word;
+    width += columns(word);
+  }
+  return result + row + "\n";
+}
+
 void append_definitions(std::string& text, const std::vector<Definition>& definitions, Style style) {
   for (const Definition& d : definitions)
     text += "    " + print(name(d.name), style) + " = " + print(d.value, style) + "   (" + d.note + ")\n";
@@ -78,7 +105,7 @@ std::string as_text(const LinearKit& kit, Style style) {
                                       : "  none found that is exact on every frame: ") +
            kit.obstruction + "\n";
   std::string text;
-  for (const std::string& note : kit.notes) text += "  " + note + "\n";
+  for (const std::string& note : kit.notes) text += "  " + wrapped(note, "    ");
   text += "  exact on every frame; give or report instead:\n";
   for (const LinearCorrection& c : kit.corrections)
     text += "    " + kind(c.kind) + ": " + c.target + " := " + print(c.value, style) + "\n        " +
@@ -99,7 +126,7 @@ std::string as_text(const LinearKit& kit, Style style) {
       break;
     }
   if (kit.implicit) text += implicit_text(kit, style);
-  return text + "  proof: " + kit.proof + "\n";
+  return text + "  " + wrapped("proof: " + kit.proof, "    ");
 }
 
 std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style) {

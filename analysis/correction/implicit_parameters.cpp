@@ -15,7 +15,8 @@ const Expr kStep = name("h");
 
 Expr root_of(const Expr& e) { return call("sqrt", {e}); }
 
-/// R(u), its coefficients rational, as a formula; the roots u belong to the whole frame, so a substep sees u/N.
+/// R(u), its coefficients rational, as a formula; the roots u belong to the whole frame, so a substep sees
+/// u/N.
 Expr function_formula(const StabilityFunction& r, int substeps) {
   const Expr u = substeps == 1 ? name("u") : name("u") / number(substeps);
   const auto polynomial = [&](const Univariate<Algebraic>& p) {
@@ -106,10 +107,14 @@ std::optional<BranchRange> range_of(const ImplicitParameters& p) {
     return range;
   }
   range.end = turns[0];
-  const RealRoot narrow = turns[0].refined(Rational(10).pow(-40));
-  const Rational middle = (narrow.low() + narrow.high()) / 2;
-  const Rational value = g->evaluate({{unknown, middle}}) / (spring ? 2 : 1);
-  range.least = value.significant(20);
+  const auto least_at = [&](const Rational& at) { return g->evaluate({{unknown, at}}) / (spring ? 2 : 1); };
+  if (range.end->is_rational()) {
+    range.least = least_at(range.end->rational()).str();
+    return range;
+  }
+  // The slope is 0 there: a small width costs its square.
+  const RealRoot narrow = range.end->refined(Rational(10).pow(-40));
+  range.least = least_at((narrow.low() + narrow.high()) / 2).significant(20);
   return range;
 }
 

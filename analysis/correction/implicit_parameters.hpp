@@ -15,10 +15,10 @@ namespace shortfall {
 
 /// How far the branch of a single parameter goes: from 0, as long as the step's answer falls strictly.
 struct BranchRange {
-  bool all = false;             ///< every value that the exact flow takes is reached
-  std::optional<RealRoot> end;  ///< of h^2 k (or h c), where the answer turns round or has a pole
-  std::optional<std::string>
-      least;  ///< the smallest value reached there: of cos(w h), or of e^(-c h); 20 digits
+  bool all = false;                  ///< every value that the exact flow takes is reached
+  std::optional<RealRoot> end;       ///< of h^2 k (or h c), where the answer turns round or has a pole
+  std::optional<std::string> least;  ///< the smallest value reached there: of cos(w h), or of e^(-c h); exact
+                                     ///< where `end` is rational, otherwise 20 digits
 };
 
 /// Parameters that are no rational functions of the exact flow: roots of equations.
