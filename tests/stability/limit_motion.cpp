@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include "analysis/problems/numbers.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/run.hpp"
@@ -11,20 +12,6 @@
 using namespace shortfall;
 
 namespace {
-
-/// The oscillator at h w = 2 in exact arithmetic: h = 1/3, w^2 = 36.
-struct Exact {
-  using Scalar = Rational;
-  using Vector = Rational;
-  Scalar number(const Rational& value) const { return value; }
-  std::optional<Scalar> parameter(int, bool) const { return std::nullopt; }
-  Vector zero() const { return 0; }
-  Vector acceleration(const Vector& x, const Vector&, const Scalar&) const { return x * Rational(-36); }
-  template <class F>
-  void solve(std::vector<Vector>&, F&&) const {
-    FAIL("these methods are explicit");
-  }
-};
 
 struct Expected {
   const char* name;
@@ -76,8 +63,10 @@ TEST_CASE("the four motions at h w = 2: formulas of the theory, and exact steppi
     // By stepping, which knows nothing of closed forms.
     const Rational h(1, 3), x0(7, 5), v0(-11, 4);
     const Tape tape = lower(p);
-    Exact problem;
-    Run<Exact> run(tape, problem, h);
+    // h w = 2 in exact arithmetic: h = 1/3, w^2 = 36.
+    Numbers<Rational> problem{
+        [](const Rational& x, const Rational&, const Rational&) { return x * Rational(-36); }};
+    Run<Numbers<Rational>> run(tape, problem, h);
     run.begin(x0, v0, 0);
     for (int n = 1; n <= 200; ++n) {
       run.step();
