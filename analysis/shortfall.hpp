@@ -1,12 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-// Everything that the library offers, in the order of its layers.
+// Everything that the library offers. Numbers of MPFR (analysis/algebra/real.hpp) stay apart, for their
+// weight.
 
+#include "analysis/algebra/ball.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/fraction.hpp"
 #include "analysis/algebra/linear_solve.hpp"
 #include "analysis/algebra/polynomial.hpp"
 #include "analysis/algebra/rational.hpp"
 #include "analysis/algebra/surd.hpp"
-#include "analysis/program/catalogue_data.hpp"
+#include "analysis/correction/jump.hpp"
+#include "analysis/correction/kit.hpp"
+#include "analysis/correction/kit_numbers.hpp"
+#include "analysis/correction/linear_kit.hpp"
+#include "analysis/motion/derivation.hpp"
+#include "analysis/motion/linear_derivation.hpp"
+#include "analysis/motion/numeric_motion.hpp"
+#include "analysis/motion/verify.hpp"
+#include "analysis/problems/linear_force.hpp"
+#include "analysis/problems/numbers.hpp"
+#include "analysis/program/catalogue.hpp"
+#include "analysis/program/parse.hpp"
+#include "analysis/program/print.hpp"
+#include "analysis/program/run.hpp"
+#include "analysis/program/transform.hpp"
+#include "analysis/stability/stability.hpp"

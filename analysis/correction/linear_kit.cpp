@@ -115,6 +115,7 @@ class Matcher {
     if (step_->pair.empty())
       return text + m.obstruction +
              "; z^2 - 2 cos(w h) z + 1 divides the characteristic polynomial for no k_new";
+    if (!step_->pair[0].contains(kStiffness)) return text + m.obstruction;
     return text + "the determinant of the step is " + print_in_scaled(step_->pair[0]) +
            ", y = h^2 k_new, and has to be 1; y would be a root of a polynomial with constant coefficients, "
            "so would not "

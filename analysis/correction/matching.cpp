@@ -81,6 +81,13 @@ Fraction Matching::put_into(Fraction f) const {
 Matching matching(const std::vector<Fraction>& conditions, const std::vector<Letter>& unknowns,
                   const BranchPoint& point, const std::vector<std::string>& names) {
   if (unknowns.size() == 1) return one_unknown(conditions, unknowns[0], point, names);
+  for (const Fraction& condition : conditions)
+    if (!condition.is_zero() && !condition.contains(unknowns[0]) && !condition.contains(unknowns[1])) {
+      Matching m{Matching::Kind::impossible, unknowns, {}, {}, {}};
+      m.obstruction = "no choice of " + names[unknowns[0]] + " and " + names[unknowns[1]] +
+                      " changes the difference " + condition.str(names);
+      return m;
+    }
   // Eliminate one unknown by an equation that is linear in it, then solve the other equation for the second.
   for (const std::size_t eliminated : {std::size_t{1}, std::size_t{0}})
     for (const std::size_t by : {std::size_t{0}, std::size_t{1}}) {
@@ -88,6 +95,16 @@ Matching matching(const std::vector<Fraction>& conditions, const std::vector<Let
       if (!value) continue;
       const Matching inner = one_unknown({conditions[1 - by].substitute(unknowns[eliminated], *value)},
                                          unknowns[1 - eliminated], point, names);
+      // The eliminated unknown has this value and no other, where its coefficient is not 0 whatever the
+      // second is.
+      const bool always =
+          !conditions[by].numerator().coefficient(unknowns[eliminated], 1).contains(unknowns[1 - eliminated]);
+      if (inner.kind == Matching::Kind::impossible && always) {
+        Matching m{Matching::Kind::impossible, unknowns, {}, {}, {}};
+        m.obstruction = "with " + names[unknowns[eliminated]] + " = " + value->str(names) +
+                        " from one condition, " + inner.obstruction;
+        return m;
+      }
       if (inner.kind != Matching::Kind::rational) continue;
       Matching m{Matching::Kind::rational, unknowns, std::vector<Fraction>(2), {}, {}};
       try {

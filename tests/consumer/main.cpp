@@ -3,9 +3,18 @@
 #include <shortfall/shortfall.hpp>
 
 int main() {
-  // Something from the headers, something that has to be linked, something that lies in the generated catalogue.
-  const shortfall::Rational third(1, 3);
-  const bool adds_up = third + third + third == shortfall::Rational(1);
-  const bool has_catalogue = !shortfall::catalogue_files().empty();
-  return adds_up && has_catalogue ? EXIT_SUCCESS : EXIT_FAILURE;
+  using namespace shortfall;
+  // Something from the headers, something that has to be linked, something that lies in the generated
+  // catalogue.
+  const Rational third(1, 3);
+  const bool adds_up = third + third + third == Rational(1);
+  const Program verlet = find_integrator("velocity-verlet");
+  const bool exact = linear_kit(verlet, force_named("spring")).exists;
+  // ... and something that needs every library below: FLINT, Arb, MPFR, GMP.
+  NumericQuestion question;
+  question.force = force_named("spring:k=1");
+  question.x0 = 1;
+  question.steps = Rational(10).pow(18);
+  const bool certain = numeric_motion(verlet, question).position.decimal.has_value();
+  return adds_up && exact && certain ? EXIT_SUCCESS : EXIT_FAILURE;
 }

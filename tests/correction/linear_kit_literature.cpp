@@ -2,6 +2,7 @@
 // Kits and conserved forms that are known from the literature, and what cannot be.
 #include <doctest/doctest.h>
 
+#include "analysis/program/parse.hpp"
 #include "tests/correction/linear_motions.hpp"
 
 using namespace shortfall;
@@ -44,6 +45,29 @@ TEST_CASE("rk4 under drag can be repaired as long as its own decay reaches the t
   const Rational d = Rational::parse(kit.implicit->range->end->significant(30));
   CHECK((Rational(1) - d + d * d / 2 - d * d * d / 6).abs() < Rational(10).pow(-28));
   CHECK((Rational::parse(*kit.implicit->range->least) - d.pow(4) / 24).abs() < Rational(10).pow(-18));
+}
+
+TEST_CASE("integrators that cannot be repaired are told why") {
+  const auto kit = [](const char* step, const char* force) {
+    return linear_kit(parse(std::string("integrator mine\nstep\n") + step, "mine.integrator"),
+                      force_named(force));
+  };
+  // It never looks at the force.
+  const LinearKit blind = kit("  x = x + h*v\n", "spring");
+  CHECK_FALSE(blind.exists);
+  CHECK(blind.impossible);
+  CHECK(blind.obstruction.find("no choice of k_new and c_new changes") != std::string::npos);
+  REQUIRE(blind.notes.size() == 1);
+  CHECK(blind.notes[0].find("no choice of k_new changes") != std::string::npos);
+  // Its velocity does not move the position: no pair of first positions but constant ones.
+  const LinearKit stuck = kit("  x = x\n  v = v + h*a(x, v, t)\n", "damped-spring");
+  CHECK_FALSE(stuck.exists);
+  CHECK(stuck.impossible);
+  // Under drag alone it has the right eigenvalues, and still stands.
+  const LinearKit standing = kit("  x = x\n  v = v + h*a(x, v, t)\n", "drag");
+  CHECK_FALSE(standing.exists);
+  CHECK(standing.impossible);
+  CHECK(standing.obstruction.find("Jordan form") != std::string::npos);
 }
 
 TEST_CASE("gravity with drag: the formulas of the literature, and the read-out") {
