@@ -54,7 +54,8 @@ Json as_json(const LinearDerivation& d, const LinearKit& kit) {
   json["condition"] = d.condition;
   Json cases = Json::array();
   for (const RootCase& c : d.cases)
-    cases.push_back({{"condition", c.condition}, {"position", print(c.position)}});
+    cases.push_back(
+        {{"condition", c.condition}, {"position", print(c.position)}, {"velocity", print(c.velocity)}});
   json["cases"] = cases;
   Json polynomial = Json::array();
   for (const Fraction& f : d.form.oscillation.polynomial) polynomial.push_back(print(formula(f, w)));

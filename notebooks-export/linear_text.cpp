@@ -142,7 +142,8 @@ std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style
     append_definitions(text, d.definitions, style);
     if (!d.condition.empty()) text += "    for " + d.condition + "\n";
     for (const RootCase& c : d.cases)
-      text += "  " + c.condition + ":\n    " + line("x_n", c.position, style) + "\n";
+      text += "  " + c.condition + ":\n    " + line("x_n", c.position, style) + "\n    " +
+              line("v_n", c.velocity, style) + "\n";
   } else {
     append_recurrence(text, d, style);
     text +=

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/motion/linear_derivation.hpp"
 
+#include <algorithm>
 #include <random>
 
 #include "analysis/motion/spectrum.hpp"
@@ -118,20 +119,22 @@ class Wave {
         "T^2 < 4 D, with T = " + trace + ", D = " + print(formula(determinant_, w_)) + ": two complex roots";
     // Double root T/2: the powers (T/2)^n and n (T/2)^(n-1).
     const Expr root = formula(half, w_);
-    d_.cases.push_back(
-        {"T^2 = 4 D: a double root T/2",
-         wave(d_.form.position, d_.form.oscillation.position, half, binary(Expression::Op::power, root, n),
-              n * binary(Expression::Op::power, root, n - number(1)))});
+    add_case("T^2 = 4 D: a double root T/2", half, binary(Expression::Op::power, root, n),
+             n * binary(Expression::Op::power, root, n - number(1)));
     // Two real roots z1, z2: half their sum of powers takes the place of the cosine, the difference over z1 -
     // z2 that of the sine.
     const Expr z1 = binary(Expression::Op::power, name("z1"), n);
     const Expr z2 = binary(Expression::Op::power, name("z2"), n);
-    d_.cases.push_back({"T^2 > 4 D: two real roots z1, z2 = T/2 + sqrt(T^2/4 - D), T/2 - sqrt(T^2/4 - D)",
-                        wave(d_.form.position, d_.form.oscillation.position, half, (z1 + z2) / number(2),
-                             (z1 - z2) / (name("z1") - name("z2")))});
+    add_case("T^2 > 4 D: two real roots z1, z2 = T/2 + sqrt(T^2/4 - D), T/2 - sqrt(T^2/4 - D)", half,
+             (z1 + z2) / number(2), (z1 - z2) / (name("z1") - name("z2")));
   }
 
  private:
+  void add_case(const std::string& condition, const Fraction& half, const Expr& cosine, const Expr& sine) {
+    d_.cases.push_back({condition, wave(d_.form.position, d_.form.oscillation.position, half, cosine, sine),
+                        wave(d_.form.velocity, d_.form.oscillation.velocity, half, cosine, sine)});
+  }
+
   /// rational part + A cosine + B sine, where A = r(0) and B = r(1) - T/2 r(0).
   Expr wave(const Motion& rational, const Oscillation::Values& values, const Fraction& half,
             const Expr& cosine, const Expr& sine) const {
@@ -191,6 +194,24 @@ void find_amplification(LinearDerivation& d) {
   d.discriminant = d.trace->pow(2) - Fraction(4) * *d.determinant;
 }
 
+/// Whether it is positive for every step length: a polynomial in h alone with coefficients of one sign.
+bool is_harmless(const Polynomial& p) {
+  for (const Polynomial::Term& t : p.terms())
+    if (t.monomial.total_degree() != t.monomial.exponent(kStepLetter) || t.coefficient.sign() < 0)
+      return false;
+  return true;
+}
+
+/// The factors of the step's denominators: an implicit stage divides by them.
+std::vector<Polynomial> singular_factors(const StepMap& map) {
+  std::vector<Polynomial> found;
+  for (const LinearForm& row : map.step)
+    for (int c = 0; c < row.columns(); ++c)
+      for (const auto& [factor, multiplicity] : factor(row[c].denominator()).factors)
+        if (!is_harmless(factor) && std::ranges::find(found, factor) == found.end()) found.push_back(factor);
+  return found;
+}
+
 }  // namespace
 
 LinearDerivation linear_derivation(const Program& program, const Force& force, const Values& given,
@@ -215,6 +236,10 @@ LinearDerivation linear_derivation(const Program& program, const Force& force, c
   }
   d.check = random_check(tape, stepped_program, given, d);
   d.assumptions = {"every step has the same length h"};
+  d.singular = singular_factors(d.map);
+  for (const Polynomial& p : d.singular)
+    d.assumptions.push_back(print(formula(Fraction(p), w)) +
+                            " is not 0, where an implicit stage would have no solution");
   if (d.form.valid_from > 0)
     d.assumptions.push_back("n >= " + std::to_string(d.form.valid_from) +
                             ": before that, the start is still felt");

@@ -14,6 +14,7 @@ namespace shortfall {
 struct RootCase {
   std::string condition;  ///< on the discriminant T^2 - 4 D
   Expr position;
+  Expr velocity;
 };
 
 /// What is known exactly about an integrator under f0 + ... + fD t^D - k x - c v.
@@ -41,6 +42,7 @@ struct LinearDerivation {
   std::vector<RootCase> cases;  ///< double root, two real roots
   std::vector<DerivationStep> steps;
   LinearFlow exact;
+  std::vector<Polynomial> singular;  ///< where one of these is 0 an implicit stage has no solution
   std::vector<std::string> assumptions;
 
   bool proved() const { return proof.proved && check.agrees; }

@@ -136,3 +136,46 @@ TEST_CASE("roots of equations tend to the true values as the leading term says")
     }
   CHECK(compared > 20);
 }
+
+TEST_CASE("the cases of the discrete motion, a double root and two real ones, agree with stepping") {
+  const Precision precision(kDigits);
+  // Symplectic Euler at the limit h^2 k = 4: T = -2, D = 1; beyond it two real roots. With damping, T^2 = 4 D
+  // at h = 1, k = 1/4, c = 3/4: T = 1, D = 1/4.
+  struct Discrete {
+    Case test;
+    Rational h;
+    std::size_t which;
+  };
+  for (const Discrete& one :
+       {Discrete{{"spring", 4, 0, {}}, 1, 0}, Discrete{{"spring", 9, 0, {}}, 1, 1},
+        Discrete{{"spring", -1, 0, {}}, Rational(1, 2), 1},
+        Discrete{{"constant+damped-spring", Rational(1, 4), Rational(3, 4), {2}}, 1, 0}}) {
+    CAPTURE(one.test.force);
+    Motions m(find_integrator("symplectic-euler"), one.test, one.h);
+    const LinearDerivation d = linear_derivation(m.program, m.force);
+    const Real half = value(formula(*d.trace, d.wording()), m.values) / 2;
+    const Real discriminant = half * half - value(formula(*d.determinant, d.wording()), m.values);
+    CHECK((one.which == 0 ? discriminant == 0 : discriminant > 0));
+    if (one.which == 1) {
+      m.values["z1"] = half + sqrt(discriminant);
+      m.values["z2"] = half - sqrt(discriminant);
+    }
+    std::vector<Real> gamma;
+    if (m.force.degree >= 0) gamma.push_back(decimal(Rational(1)));
+    const auto frames = m.stepped(m.values.at("k"), m.zero_unless(m.force.damper, "c"), gamma,
+                                  m.values.at("x0"), m.values.at("v0"), 20);
+    for (const int n : {1, 2, 5, 20}) {
+      m.values["n"] = decimal(Rational(n));
+      m.values["t"] = m.values["n"] * m.values["h"];
+      CHECK(close(value(d.cases.at(one.which).position, m.values), frames[n].first));
+      CHECK(close(value(d.cases.at(one.which).velocity, m.values), frames[n].second));
+    }
+  }
+}
+
+TEST_CASE("where an implicit stage is singular is said") {
+  const LinearDerivation d = linear_derivation(find_integrator("implicit-midpoint"), force_named("spring"));
+  REQUIRE(d.singular.size() == 1);
+  CHECK(d.singular[0].str(d.map.letters) == "h^2*k + 4");
+  CHECK(linear_derivation(find_integrator("velocity-verlet"), force_named("spring")).singular.empty());
+}

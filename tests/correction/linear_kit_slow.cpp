@@ -62,6 +62,7 @@ TEST_CASE("the closed forms with cos and sin agree with stepping over 200 steps 
           CHECK(close(value(d.velocity, m.values), states[n].second));
         } else {
           CHECK(close(value(d.cases[1].position, m.values), states[n].first));
+          CHECK(close(value(d.cases[1].velocity, m.values), states[n].second));
         }
         ++compared;
       }
