@@ -53,6 +53,19 @@ TEST_CASE("a free body is known exactly, however far") {
   CHECK(m.velocity_shortfall.exact == Rational(0));
 }
 
+TEST_CASE("a force of time is followed, with and without a spring") {
+  for (const char* force :
+       {"poly:3:f0=1,f1=-2,f2=1/3,f3=5", "poly:2:f0=2,f1=1/5,f2=-1+damped-spring:k=2,c=1/9"})
+    for (const char* integrator : {"rk4", "symplectic-euler", "adams-bashforth-2"}) {
+      const NumericQuestion q = question(force, "1/4", "25");
+      const NumericMotion m = numeric_motion(find_integrator(integrator), q);
+      const auto [x, v] = stepped_exactly(find_integrator(integrator), q, 25);
+      CHECK(m.position.ball.contains(x));
+      CHECK(m.velocity.ball.contains(v));
+      CHECK(shown(m.position) == Rational::parse(x.significant(50)));
+    }
+}
+
 TEST_CASE("what does not move is said exactly") {
   NumericQuestion q = question("constant:a=6+spring:k=3", "1/10", "1e30");
   q.x0 = 2;
