@@ -6,6 +6,7 @@
 #include <set>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/program/transform.hpp"
 
 namespace shortfall {
 
@@ -60,7 +61,10 @@ Lines lines_of(const std::vector<Statement>& block, const Values& parameters) {
         (s.value->op == Expression::Op::name ? parameters.at(s.value->name) : s.value->value)
             .fits_int64(times);
         lines.push_back({"", {}, static_cast<int>(times), lines_of(s.body, parameters)});
+        break;
       }
+      default:
+        throw Error("limits are not taken out");  // see undisturbed
     }
   }
   return lines;
@@ -217,7 +221,8 @@ class Printer {
 
 }  // namespace
 
-CodeStep code_step(const Program& program, const Values& parameters, Language language) {
+CodeStep code_step(const Program& whole, const Values& parameters, Language language) {
+  const Program program = undisturbed(whole);
   Lines start = lines_of(program.start, parameters);
   Lines step = lines_of(program.step, parameters);
   Lines finish = lines_of(program.finish, parameters);

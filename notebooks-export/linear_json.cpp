@@ -95,7 +95,7 @@ Json as_json(const LinearDerivation& d, const LinearKit& kit) {
       {"proved", d.proved()},
       {"points", d.proof.points},
       {"recurrence_order", d.proof.recurrence},
-      {"random_check", {{"trials", d.check.trials}, {"steps", d.check.steps}, {"agrees", d.check.agrees}}}};
+      {"random_check", {{"trials", d.check.trials}, {"steps", d.check.steps}, {"digits", d.check.digits}, {"agrees", d.check.agrees}}}};
   json["assumptions"] = d.assumptions;
   return json;
 }

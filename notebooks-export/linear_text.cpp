@@ -183,9 +183,7 @@ std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style
                 std::to_string(d.proof.recurrence) +
                 " and agree, all letters symbolic, at\n  as many consecutive n. Hence they agree for every n."
           : "NOT PROVED: this is a bug of ours; please report it.";
-  text += "\n  Checked besides: " + std::to_string(d.check.trials) +
-          " random cases stepped in rational numbers for " + std::to_string(d.check.steps) +
-          " steps: " + (d.check.agrees ? "equal" : "DIFFERENT") + ".\nAssumed: ";
+  text += "\n  Checked besides: " + sentence(d.check) + "\nAssumed: ";
   for (std::size_t i = 0; i < d.assumptions.size(); ++i) text += (i ? "; " : "") + d.assumptions[i];
   return text + ".\n";
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/python_step.hpp"
 
+#include "analysis/algebra/error.hpp"
+
 #include <algorithm>
 #include <set>
 
@@ -111,7 +113,7 @@ std::string joined(const std::vector<std::string>& words) {
 }  // namespace
 
 PythonStep::PythonStep(const Program& program, const Values& given, int substeps)
-    : program_(substepped(program, substeps)),
+    : program_(undisturbed(substepped(program, substeps))),
       values_(parameter_values(program, given)),
       substeps_(substeps) {
   carried_ = {"x", "v"};
@@ -229,6 +231,8 @@ void PythonStep::write(const std::vector<Statement>& body, int indent, int depth
       case Statement::Kind::substeps:
         write_substeps(s, depth == 0 && &s == &body.back(), indent, depth, text);
         break;
+      default:
+        throw Error("limits are not taken out");  // see undisturbed
     }
   }
 }

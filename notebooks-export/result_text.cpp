@@ -68,6 +68,13 @@ std::string line(const std::string& left, const Expr& right, Style style) {
   return left + " = " + shown(right, style);
 }
 
+std::string sentence(const RandomCheck& check) {
+  const bool exact = check.digits == 0;
+  return std::to_string(check.trials) + " random cases stepped " +
+         (exact ? "in rational numbers" : "with 80 digits") + " for " + std::to_string(check.steps) + " steps: " +
+         (!check.agrees ? "DIFFERENT" : exact ? "equal" : "equal to " + std::to_string(check.digits) + " digits") + ".";
+}
+
 std::string as_text(const CorrectionKit& kit, const Derivation& d, Style style) {
   if (!kit.needed)
     return "Nothing to correct: position and velocity are exact for this force at every step.\n";
@@ -109,9 +116,7 @@ std::string as_text(const Derivation& d, const CorrectionKit* kit, Style style) 
         ". Hence they agree for every n.\n";
   else
     text += "  NOT PROVED: the closed form differs from stepping. This is a bug of ours; please report it.\n";
-  text += "  Checked besides: " + std::to_string(d.check.trials) +
-          " random cases stepped in rational numbers for " + std::to_string(d.check.steps) +
-          " steps: " + (d.check.agrees ? "equal" : "DIFFERENT") + ".\n";
+  text += "  Checked besides: " + sentence(d.check) + "\n";
   text += "Assumed: ";
   for (std::size_t i = 0; i < d.assumptions.size(); ++i) text += (i ? "; " : "") + d.assumptions[i];
   return text + ".\n";

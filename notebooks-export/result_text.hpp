@@ -22,6 +22,9 @@ std::string as_latex(const Derivation& derivation, const CorrectionKit* kit);
 /// A formula for a terminal or a file, with its quantity in front: "x(n) = x₀ + v₀ t + ½ a t²".
 std::string line(const std::string& left, const Expr& right, Style style);
 
+/// "3 random cases stepped in rational numbers for 6 steps: equal."
+std::string sentence(const RandomCheck& check);
+
 /// How many lines of formulas a terminal should show before the rest is left to --json or --latex.
 inline constexpr int kLongestFormula = 2000;
 

@@ -56,7 +56,23 @@ Fraction Fraction::letter(Letter letter, int exponent) {
   if (exponent >= 0) return Polynomial::letter(letter, exponent);
   Fraction result(1);
   result.denominator_ = Polynomial::letter(letter, -exponent);
+  result.settle();
   return result;
+}
+
+/// Algebraic letters reduced, and out of the denominator.
+void Fraction::settle_in_field() {
+  const NumberField& field = *NumberField::current();
+  if (is_polynomial()) {
+    numerator_ = field.reduced(std::move(numerator_));
+    return;
+  }
+  const Polynomial before = denominator_;
+  field.settle(numerator_, denominator_);
+  if (numerator_.is_zero())
+    denominator_ = {};
+  else if (denominator_ != before || !gcd(numerator_, denominator_).is_constant())
+    cancel();
 }
 
 /// A denominator that is monic, hence 1 when it is constant.
@@ -81,6 +97,11 @@ void Fraction::reduce() {
     denominator_ = {};
     return;
   }
+  cancel();
+  settle();
+}
+
+void Fraction::cancel() {
   if (!denominator_.is_constant()) {
     const Polynomial common = gcd(numerator_, denominator_);
     numerator_ = without(numerator_, common);
@@ -106,7 +127,7 @@ void Fraction::add(const Fraction& other, bool negated) {
   if (other.is_zero()) return;
   if (is_polynomial() && other.is_polynomial()) {
     accumulate(numerator_, other.numerator_);
-    return;
+    return;  // a sum of reduced polynomials is reduced
   }
   if (denominator_ == other.denominator_) {
     accumulate(numerator_, other.numerator_);
@@ -122,6 +143,7 @@ void Fraction::add(const Fraction& other, bool negated) {
       common.is_constant() || numerator.is_zero() ? Polynomial(1) : gcd(numerator, common);
   numerator_ = without(numerator, cancels);
   set_denominator(numerator_.is_zero() ? Polynomial() : mine * without(other.denominator(), cancels));
+  settle();
 }
 
 Fraction& Fraction::operator+=(const Fraction& other) {
@@ -139,6 +161,7 @@ Fraction& Fraction::operator-=(const Fraction& other) {
 Fraction& Fraction::operator*=(const Fraction& other) {
   if (is_polynomial() && other.is_polynomial()) {
     numerator_ *= other.numerator_;
+    settle();
     return *this;
   }
   if (is_zero() || other.is_zero()) return *this = Fraction();
@@ -148,6 +171,7 @@ Fraction& Fraction::operator*=(const Fraction& other) {
   Polynomial numerator = without(numerator_, down) * without(other.numerator_, up);
   set_denominator(without(denominator(), up) * without(other.denominator(), down));
   numerator_ = std::move(numerator);
+  settle();
   return *this;
 }
 
@@ -161,6 +185,7 @@ Fraction& Fraction::operator/=(const Fraction& other) {
   inverse.numerator_ = other.denominator();
   inverse.denominator_ = other.numerator_;
   inverse.make_monic();
+  inverse.settle();
   return *this *= inverse;
 }
 
@@ -172,6 +197,7 @@ Fraction Fraction::pow(int exponent) const {
   Fraction result;
   result.numerator_ = numerator_.pow(exponent);
   if (!is_polynomial() && exponent > 0) result.denominator_ = denominator_.pow(exponent);
+  result.settle();
   return result;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "analysis/algebra/number_field.hpp"
 #include "analysis/algebra/polynomial.hpp"
 
 namespace shortfall {
@@ -8,11 +9,12 @@ namespace shortfall {
 /// A rational function: a quotient of two polynomials over the rationals.
 ///
 /// Invariant: in lowest terms, denominator monic (leading coefficient 1); so equality is structural. While
-/// the denominator is 1 no gcd is computed, and nothing is stored for it.
+/// the denominator is 1 no gcd is computed, and nothing is stored for it. Within a NumberField its generators are
+/// numbers: reduced, and in no denominator.
 class Fraction {
  public:
   Fraction() = default;
-  Fraction(Polynomial numerator) : numerator_(std::move(numerator)) {}
+  Fraction(Polynomial numerator) : numerator_(std::move(numerator)) { settle(); }
   Fraction(Rational constant) : Fraction(Polynomial(std::move(constant))) {}
   template <std::integral I>
   Fraction(I constant) : Fraction(Rational(constant)) {}
@@ -66,7 +68,12 @@ class Fraction {
  private:
   void add(const Fraction&, bool negated);
   void reduce();
+  void cancel();
   void make_monic();
+  void settle() {
+    if (NumberField::current()) settle_in_field();
+  }
+  void settle_in_field();
   void set_denominator(Polynomial);
   static const Polynomial& one();
   Polynomial numerator_;

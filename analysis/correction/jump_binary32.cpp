@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/problems/functions.hpp"
 #include "analysis/program/run.hpp"
 
 namespace shortfall {
@@ -34,6 +35,10 @@ struct Gravity {
   std::optional<float> parameter(int, bool) const { return std::nullopt; }
   float zero() const { return 0; }
   float acceleration(float, float, float) const { return -g; }
+  float function(Function f, float a, float b) const { return value_of(f, a, b); }
+  float root(const RealRoot& root, const std::string&) const { return near(root, 60).to_float(); }
+  bool longer(float measured, float size, bool) const { return size < std::abs(measured); }
+  float shortened(float v, float measured, float size) const { return size / std::abs(measured) * v; }
 
   template <class F>
   void solve(std::vector<float>& unknowns, F&& f) const {

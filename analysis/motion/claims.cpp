@@ -14,12 +14,14 @@ namespace {
 /// The motion of an integrator and the closed form of what it falls short by, oscillations apart.
 struct Shortfall {
   StepMap map;
+  NumberField field;
   ClosedForm form;
   Motion position;
   Motion velocity;
 
   Shortfall(const Program& program, int degree)
       : map(step_map(lower(program), degree)),
+        field(map.generators),
         form(closed_form(map)),
         position(exact_position(degree) - form.position),
         velocity(exact_velocity(degree) - form.velocity) {}
@@ -47,7 +49,8 @@ ClaimVerdict shortfall_verdict(const Program& program, const Claim& claim, const
   const bool of_position = claim.word == "shortfall";
   const Motion& exact = of_position ? exact_position(0) : exact_velocity(0);
   const Motion& found = of_position ? constant.position : constant.velocity;
-  const Motion claimed = evaluated(claim.value, formula_scalars(program), 0);
+  const Motion claimed = evaluated(claim.value, formula_scalars(program, {}, constant.map.force.extras.get()), 0,
+                                  constant.map.force.extras.get());
   const auto& oscillation =
       of_position ? constant.form.oscillation.position : constant.form.oscillation.velocity;
   bool oscillates = false;

@@ -2,11 +2,8 @@
 #include "analysis/motion/derivation.hpp"
 
 #include <algorithm>
-#include <random>
 
 #include "analysis/motion/derivation_steps.hpp"
-#include "analysis/problems/numbers.hpp"
-#include "analysis/program/run.hpp"
 #include "analysis/program/transform.hpp"
 
 namespace shortfall {
@@ -16,54 +13,13 @@ namespace {
 constexpr int kHighestDegree = 1000;
 constexpr int kHighestProved = 200;  // about ten seconds for a method without parameters
 
-/// Steps random rational numbers and holds the closed form against them: no letters, no linear forms, another
-/// interpreter's problem.
-RandomCheck random_check(const Tape& tape, const Program& program, const Values& given, const Derivation& d) {
-  constexpr int kTrials = 3;
-  RandomCheck check{kTrials, std::min(8, d.form.valid_from + 6), true};
-  std::mt19937 random(20240808);
-  const auto draw = [&] {
-    return Rational(std::uniform_int_distribution<int>(-40, 40)(random),
-                    std::uniform_int_distribution<int>(1, 9)(random));
-  };
-  const Values parameters = parameter_values(program, given);
-  for (int trial = 0; trial < kTrials; ++trial) {
-    std::vector<Rational> column{draw(), draw()};
-    for (int i = 0; i <= d.degree; ++i) column.push_back(draw());
-    const Rational h = Rational(1, std::uniform_int_distribution<int>(2, 60)(random));
-    std::map<Letter, Rational> letters{{kStepLetter, h}, {kStiffness, 0}, {kDamping, 0}, {kTimeLetter, 0}};
-    for (std::size_t i = 0; i < tape.parameters.size(); ++i)
-      letters[kFirstParameter + static_cast<int>(i)] = parameters.at(tape.parameters[i].name);
-    Numbers<Rational> problem{[&](const Rational&, const Rational&, const Rational& t) {
-      Rational f;
-      for (int i = d.degree; i >= 0; --i) f = f * t + column[2 + i];
-      return f;
-    }};
-    Run<Numbers<Rational>> run(tape, problem, h);
-    run.begin(column[0], column[1], 0);
-    for (int n = 0; n <= check.steps; ++n) {
-      if (n > 0) run.step();
-      if (n < d.form.valid_from) continue;
-      const auto [x, v] = run.read_out();
-      letters[kCount] = n;
-      for (const auto& [stepped, motion] : {std::pair{x, &d.form.position}, {v, &d.form.velocity}}) {
-        Rational closed;
-        for (std::size_t c = 0; c < motion->size(); ++c)
-          for (const Sequence::Term& term : (*motion)[c].terms())
-            closed += term.coefficient.evaluate(letters) * term.base.evaluate(letters).pow(n) * column[c];
-        check.agrees = check.agrees && closed == stepped;
-      }
-    }
-  }
-  return check;
-}
-
 std::vector<std::string> assumed(const Derivation& d) {
   std::vector<std::string> result{
       "the force is " + std::string(d.degree == 0
                                         ? "constant, a"
                                         : "a polynomial in t of degree " + std::to_string(d.degree)),
       "every step has the same length h"};
+  result.insert(result.end(), d.map.assumed.begin(), d.map.assumed.end());
   if (d.form.valid_from > 0)
     result.push_back("n >= " + std::to_string(d.form.valid_from) + ": before that, the start is still felt");
   for (const auto& [base, multiplicity] : d.form.spectrum)
@@ -94,6 +50,7 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
   d.degree = degree;
   d.substeps = substeps;
   d.map = step_map(tape, degree);
+  const NumberField field(d.map.generators);
   d.form = closed_form(d.map);
   if (!d.form.oscillation.is_zero())
     throw Unable(
@@ -111,7 +68,8 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
   d.exact_velocity = formula(v, degree, w);
   d.shortfall_position = formula(d.shortfall_position_motion, degree, w);
   d.shortfall_velocity = formula(d.shortfall_velocity_motion, degree, w);
-  d.check = random_check(tape, stepped_program, given, d);
+  d.check = random_check(stepped_program, given, {}, d.map, d.form, 3,
+                         std::min(8, d.form.valid_from + 6));
   d.assumptions = assumed(d);
   if (tell) d.steps = derivation_steps(d, !tape.finish.empty());
   return d;

@@ -6,6 +6,7 @@
 
 #include "analysis/motion/closed_form.hpp"
 #include "analysis/motion/formula_text.hpp"
+#include "analysis/motion/random_check.hpp"
 #include "analysis/program/program.hpp"
 
 namespace shortfall {
@@ -17,13 +18,6 @@ struct DerivationStep {
   std::string why;
   int points = 0;  ///< at how many consecutive n both sides were compared exactly, all other letters symbolic
   bool proved = false;
-};
-
-/// A check with random numbers in exact arithmetic, by another route than the derivation's.
-struct RandomCheck {
-  int trials = 0;
-  int steps = 0;  ///< of each trial
-  bool agrees = false;
 };
 
 /// What is known exactly about an integrator under a force polynomial in time.

@@ -27,7 +27,8 @@ struct Exponent {
 
 class Evaluation {
  public:
-  Evaluation(const FormulaScalars& scalars, int degree) : scalars_(scalars), columns_(degree + 3) {}
+  Evaluation(const FormulaScalars& scalars, int degree, ExtraLetters* extras = nullptr)
+      : scalars_(scalars), columns_(degree + 3), extras_(extras) {}
 
   Motion motion(const Expr& e) const { return widened(of(e), e).motion; }
 
@@ -50,6 +51,7 @@ class Evaluation {
       case Op::power:
         return {power(e), {}};
       case Op::call:
+        return {function(e), {}};
       case Op::force:
       case Op::sum:
         break;
@@ -58,6 +60,17 @@ class Evaluation {
   }
 
  private:
+  Sequence function(const Expr& e) const {
+    const auto argument = [&](const Expr& o) {
+      const Sequence value = of(o).factor;
+      if (!value.is_polynomial()) throw Unable("the value in '" + print(e) + "' depends on n");
+      return value.polynomial();
+    };
+    if (!extras_) throw Unable("a formula of this kind calls no function; found '" + print(e) + "'");
+    const Fraction a = argument(e->operands[0]);
+    return extras_->function(*function_named(e->name), a, e->operands.size() > 1 ? argument(e->operands[1]) : a);
+  }
+
   Value of_name(const Expr& e) const {
     if (const auto found = scalars_.find(e->name); found != scalars_.end())
       return {Sequence(found->second), {}};
@@ -151,11 +164,12 @@ class Evaluation {
 
   const FormulaScalars& scalars_;
   int columns_;
+  ExtraLetters* extras_;
 };
 
 }  // namespace
 
-FormulaScalars formula_scalars(const Program& program, const Values& given) {
+FormulaScalars formula_scalars(const Program& program, const Values& given, ExtraLetters* extras) {
   FormulaScalars scalars;
   const Tape tape = lower(program, given);
   for (std::size_t i = 0; i < tape.parameters.size(); ++i) {
@@ -167,14 +181,17 @@ FormulaScalars formula_scalars(const Program& program, const Values& given) {
     else
       scalars[slot.name] = Fraction::letter(kFirstParameter + static_cast<Letter>(i));
   }
+  for (const Approximation& a : program.approximations) scalars[a.name] = a.value;
+  if (extras)
+    for (const Root& r : program.roots) scalars[r.name] = extras->root(*r.value, r.name);
   const Fraction n = Fraction::letter(kCount);
   const Fraction h = Fraction::letter(kStepLetter);
   scalars.insert({{"n", n}, {"h", h}, {"t", n * h}});
   return scalars;
 }
 
-Motion evaluated(const Expr& formula, const FormulaScalars& scalars, int degree) {
-  return Evaluation(scalars, degree).motion(formula);
+Motion evaluated(const Expr& formula, const FormulaScalars& scalars, int degree, ExtraLetters* extras) {
+  return Evaluation(scalars, degree, extras).motion(formula);
 }
 
 }  // namespace shortfall

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/motion/formula_text.hpp"
 
+#include "analysis/program/token_reader.hpp"
+
 namespace shortfall {
 
 namespace {
 
 Expr powered(const std::string& letter, int exponent) {
-  return exponent == 0 ? number(1) : power(name(letter), exponent);
+  return exponent == 0 ? number(1) : power(letter_expression(letter), exponent);
 }
 
 /// |coefficient| * parameters * vector * h^i * n^j, with n h gathered into t when asked.
@@ -98,6 +100,13 @@ void append(Expr& total, const Fraction& coefficient, const Expr& vector, const 
 }
 
 }  // namespace
+
+Expr letter_expression(const std::string& letter) {
+  if (letter.find('(') == std::string::npos) return name(letter);
+  const Source source("a letter", letter);
+  int line = 1;
+  return TokenReader(source, tokens(source, line, 0)).expression();
+}
 
 std::string column_name(int column, int degree) {
   if (column == 0) return "x0";

@@ -16,6 +16,9 @@ struct Wording {
   bool gather_time = false;  ///< write t for n h
 };
 
+/// What a letter is called, as an expression: "h", or "sqrt(2)", "exp(-c*h)" for those of extra_letters.hpp.
+Expr letter_expression(const std::string& letter);
+
 /// The name of the letter in column c of a Motion: x0, v0, then a (degree 0) or f0, f1, ...
 std::string column_name(int column, int degree);
 

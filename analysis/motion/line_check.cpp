@@ -130,11 +130,15 @@ LineCheck::Value LineCheck::evaluated(const Expr& e, const Indices& indices) con
       if (is_vector) return vectors;
       return scalars;
     }
-    case Op::call:
+    case Op::call: {
+      const Fraction a = scalar(e->operands[0]);
+      return map_.force.extras->function(*function_named(e->name), a,
+                                         e->operands.size() > 1 ? scalar(e->operands[1]) : a);
+    }
     case Op::force:
       break;
   }
-  throw Error("a derivation cannot call a function");
+  throw Error("a derivation cannot evaluate a force");
 }
 
 }  // namespace shortfall

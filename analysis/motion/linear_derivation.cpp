@@ -2,91 +2,14 @@
 #include "analysis/motion/linear_derivation.hpp"
 
 #include <algorithm>
-#include <random>
 
 #include "analysis/motion/spectrum.hpp"
-#include "analysis/problems/numbers.hpp"
 #include "analysis/program/print.hpp"
-#include "analysis/program/run.hpp"
 #include "analysis/program/transform.hpp"
 
 namespace shortfall {
 
 namespace {
-
-/// Steps random rational numbers and holds the closed form against them: no letters, another interpreter's
-/// problem.
-RandomCheck random_check(const Tape& tape, const Program& program, const Values& given,
-                         const LinearDerivation& d) {
-  constexpr int kTrials = 3;
-  constexpr int kSteps = 12;
-  RandomCheck check{kTrials, kSteps, true};
-  std::mt19937 random(1687);
-  const auto draw = [&] {
-    return Rational(static_cast<int>(random() % 81) - 40, 1 + static_cast<int>(random() % 9));
-  };
-  const auto positive = [&] {
-    return Rational(1 + static_cast<int>(random() % 40), 1 + static_cast<int>(random() % 9));
-  };
-  const Values parameters = parameter_values(program, given);
-  for (int trial = 0; trial < kTrials; ++trial) {
-    std::vector<Rational> column{draw(), draw()};
-    for (int i = 0; i <= d.force.degree; ++i) column.push_back(draw());
-    const Rational h(1, 2 + static_cast<int>(random() % 30));
-    const Rational k = d.force.spring ? d.force.k.value_or(positive()) : Rational(0);
-    const Rational c = d.force.damper ? d.force.c.value_or(positive()) : Rational(0);
-    std::map<Letter, Rational> letters{
-        {kStepLetter, h}, {kStiffness, k}, {kDamping, c}, {kTimeLetter, 0}, {kCount, 0}};
-    for (std::size_t i = 0; i < tape.parameters.size(); ++i)
-      letters[kFirstParameter + static_cast<int>(i)] = parameters.at(tape.parameters[i].name);
-    Numbers<Rational> problem{[&](const Rational& x, const Rational& v, const Rational& t) {
-      Rational f;
-      for (int i = d.force.degree; i >= 0; --i) f = f * t + column[2 + i];
-      return f - k * x - c * v;
-    }};
-    try {
-      Run<Numbers<Rational>> run(tape, problem, h);
-      run.begin(column[0], column[1], 0);
-      std::vector<Rational> polynomial;
-      for (const Fraction& f : d.form.oscillation.polynomial) polynomial.push_back(f.evaluate(letters));
-      // The oscillation in numbers: its first values, then its recurrence.
-      const auto first = [&](const Oscillation::Values& values) {
-        std::vector<Rational> sum(d.form.oscillation.order());
-        for (std::size_t col = 0; col < column.size(); ++col)
-          for (std::size_t j = 0; j < sum.size(); ++j)
-            sum[j] += values[col][j].evaluate(letters) * column[col];
-        return sum;
-      };
-      std::vector<Rational> rx = first(d.form.oscillation.position);
-      std::vector<Rational> rv = first(d.form.oscillation.velocity);
-      const auto advance = [&](std::vector<Rational>& window) {
-        if (window.empty()) return;
-        Rational next;
-        for (std::size_t j = 0; j < window.size(); ++j) next -= polynomial[j] * window[j];
-        window.erase(window.begin());
-        window.push_back(next);
-      };
-      for (int n = 0; n <= kSteps; ++n, advance(rx), advance(rv)) {
-        if (n > 0) run.step();
-        if (n < d.form.valid_from) continue;
-        const auto [x, v] = run.read_out();
-        letters[kCount] = n;
-        for (const auto& [stepped, motion, rest] :
-             {std::tuple{x, &d.form.position, &rx}, {v, &d.form.velocity, &rv}}) {
-          Rational closed = rest->empty() ? Rational(0) : rest->front();
-          for (std::size_t col = 0; col < motion->size(); ++col)
-            for (const Sequence::Term& term : (*motion)[col].terms())
-              closed += term.coefficient.evaluate(letters) * term.base.evaluate(letters).pow(n) * column[col];
-          check.agrees = check.agrees && closed == stepped;
-        }
-      }
-    } catch (const Undefined&) {
-      --check.trials;  // the numbers hit a pole of the step; the formula says so itself
-    }
-  }
-  check.agrees = check.agrees && check.trials > 0;
-  return check;
-}
 
 /// Puts the pieces of a two-term oscillation together.
 class Wave {
@@ -223,6 +146,7 @@ LinearDerivation linear_derivation(const Program& program, const Force& force, c
   d.force = force;
   d.substeps = substeps;
   d.map = step_map(tape, force.degree, force.stiffness(), force.damping());
+  const NumberField field(d.map.generators);
   d.form = closed_form(d.map);
   d.proof = prove(d.map, d.form);
   d.exact = linear_flow(force, d.map.letters);
@@ -234,8 +158,10 @@ LinearDerivation linear_derivation(const Program& program, const Force& force, c
   } else if (d.form.oscillation.order() == 2) {
     Wave(d).tell();
   }
-  d.check = random_check(tape, stepped_program, given, d);
+  d.check = random_check(stepped_program, given,
+                         {force.spring, force.damper, force.k, force.c}, d.map, d.form, 3, 12);
   d.assumptions = {"every step has the same length h"};
+  d.assumptions.insert(d.assumptions.end(), d.map.assumed.begin(), d.map.assumed.end());
   d.singular = singular_factors(d.map);
   for (const Polynomial& p : d.singular)
     d.assumptions.push_back(print(formula(Fraction(p), w)) +

@@ -16,10 +16,11 @@ std::vector<std::vector<Fraction>> StepMap::matrix() const {
 
 StepMap step_map(const Tape& tape, int degree, Fraction stiffness, Fraction damping, const Fraction& h) {
   StepMap map;
-  map.letters = letter_names(tape);
+  NumberField field;
+  const auto extras = std::make_shared<ExtraLetters>(letter_names(tape));
   map.states = tape.states;
   const int states = static_cast<int>(tape.states.size());
-  map.force = {states, degree, std::move(stiffness), std::move(damping)};
+  map.force = {states, degree, std::move(stiffness), std::move(damping), extras};
   Run<LinearForce> run(tape, map.force, h);
 
   run.begin(LinearForm::column(0), LinearForm::column(1), 0);
@@ -31,6 +32,10 @@ StepMap step_map(const Tape& tape, int degree, Fraction stiffness, Fraction damp
   std::tie(map.position, map.velocity) = run.read_out();
   run.step();
   for (int i = 0; i < states; ++i) map.step.push_back(run.state(i));
+  map.letters = extras->names();
+  map.extras = extras->all();
+  map.generators = extras->generators();
+  map.assumed = extras->used();
   return map;
 }
 

@@ -31,7 +31,9 @@ Verdict verdict(const Derivation& d, const Program& program, const Values& given
   Verdict verdict;
   const Motion& truth = position ? d.form.position : d.form.velocity;
   verdict.found = position ? d.position : d.velocity;
-  const Motion motion = evaluated(claimed, formula_scalars(program, given), d.degree);
+  const NumberField field(d.map.generators);
+  ExtraLetters* extras = d.map.force.extras.get();
+  const Motion motion = evaluated(claimed, formula_scalars(program, given, extras), d.degree, extras);
   const bool equal = is_zero(motion - truth);
   const LinearForm& row = position ? d.map.position : d.map.velocity;
   // Two sequences of this kind that differ do so within as many consecutive n as they have coefficients;

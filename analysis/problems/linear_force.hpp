@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/linear_solve.hpp"
+#include "analysis/problems/extra_letters.hpp"
 #include "analysis/problems/letters.hpp"
 #include "analysis/problems/linear_form.hpp"
 
@@ -22,6 +24,7 @@ struct LinearForce {
   int degree = 0;      ///< D, of the force polynomial; -1 for no such force
   Fraction stiffness;  ///< k; 0 for none
   Fraction damping;    ///< c; 0 for none
+  std::shared_ptr<ExtraLetters> extras = nullptr;  ///< for programs with roots and functions
 
   int force_column(int d) const { return states + d; }
   int unknown_column(int u) const { return states + degree + 1 + u; }
@@ -34,6 +37,13 @@ struct LinearForce {
   }
   Vector zero() const { return {}; }
   Vector acceleration(const Vector& x, const Vector& v, const Scalar& t) const;
+
+  /// Where limits have no lengths to compare: no `limit` acts, every `when` holds.
+  bool longer(const Vector&, const Scalar&, bool assumed) const { return assumed; }
+  Vector shortened(const Vector& v, const Vector&, const Scalar&) const { return v; }
+  Scalar function(Function f, const Scalar& a, const Scalar& b) const { return extras->function(f, a, b); }
+  Scalar root(const RealRoot& root, const std::string& name) const { return extras->root(root, name); }
+  void assume(Scalar positive, std::string text) const { extras->assume(std::move(positive), std::move(text)); }
 
   /// The unknowns get columns of their own and are eliminated exactly.
   ///

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -10,7 +11,9 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/linear_solve.hpp"
 #include "analysis/algebra/rational.hpp"
+#include "analysis/algebra/real_roots.hpp"
 #include "analysis/algebra/surd.hpp"
+#include "analysis/problems/functions.hpp"
 
 namespace shortfall {
 
@@ -38,11 +41,33 @@ struct Numbers {
 
   std::function<T(const T& x, const T& v, const T& t)> force;
   std::function<T(const Rational&)> round = usual_rounding<T>();
+  int root_digits = 120;  ///< decimal digits of an irrational root before it is rounded to T
 
   Scalar number(const Rational& value) const { return round(value); }
   std::optional<Scalar> parameter(int, bool) const { return std::nullopt; }
   Vector zero() const { return round(0); }
   Vector acceleration(const Vector& x, const Vector& v, const Scalar& t) const { return force(x, v, t); }
+
+  /// throws  Unable  when the value is no number of an exact kind
+  Scalar function(Function f, const Scalar& a, const Scalar& b) const { return value_of(f, a, b); }
+
+  /// throws  Unable  when it is no number of an exact kind
+  Scalar root(const RealRoot& root, const std::string&) const {
+    if (root.is_rational()) return round(root.rational());
+    if constexpr (std::is_same_v<T, Surd>)
+      if (root.degree() == 2) return quadratic(root);
+    if constexpr (kExact)
+      throw Unable("the integrator's coefficient " + root.significant(10) +
+                   "... is irrational: it has no value in exact numbers of this kind");
+    return round(near(root, root_digits));
+  }
+
+  bool longer(const Vector& measured, const Scalar& size_limit, bool) const {
+    return size_limit < size(measured);
+  }
+  Vector shortened(const Vector& v, const Vector& measured, const Scalar& size_limit) const {
+    return size_limit / size(measured) * v;
+  }
 
   /// Newton's iteration with the differences of f as its Jacobian, which are exact for a force that is affine
   /// in x and v: then one round solves a stage, and in exact arithmetic nothing else is accepted. Numbers
@@ -72,6 +97,15 @@ struct Numbers {
   }
 
  private:
+  /// A root of x^2 + p x + q.
+  static Surd quadratic(const RealRoot& root) {
+    const Rational lead = root.polynomial()[2];
+    const Rational p = root.polynomial()[1] / lead, q = root.polynomial()[0] / lead;
+    const Rational middle = -p / Rational(2);
+    const Surd radius = Surd::sqrt(middle * middle - q);
+    return root.compare(middle) > 0 ? Surd(middle) + radius : Surd(middle) - radius;
+  }
+
   static constexpr bool kExact = std::is_same_v<T, Rational> || std::is_same_v<T, Surd>;
 
   /// The matrix of 1 - f', column by column.

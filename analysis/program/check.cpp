@@ -18,8 +18,13 @@ class Checker {
 
   void check_all() {
     check_parameters();
+    check_constants();
     if (program_.tableau) check_tableau(*program_.tableau);
+    if (program_.splitting) check_splitting(*program_.splitting);
+    check_assumptions();
+    check_equation();
     Names names = with_parameters();
+    names.functions = Functions::of_programs;
     names.declare("h", kScalar(kTime));
     names.declare("t", kScalar(kTime));
     names.declare("x", kVector(kLength));
@@ -27,6 +32,11 @@ class Checker {
     for (const State& state : program_.states) {
       refuse_taken(names, state.name, state.place);
       names.declare(state.name, kVector(state.dimension), false);
+    }
+    if (program_.impulse) {
+      const State& impulse = *program_.impulse;
+      refuse_taken(names, impulse.name, impulse.place);
+      names.hints[impulse.name] = "the impulse '" + impulse.name + "' acts in the step block only";
     }
     Names at_start = names;
     check_statements(program_.start, at_start);
@@ -38,6 +48,7 @@ class Checker {
     }
     leave_hints(names, at_start, "start");
     Names at_step = names;
+    if (program_.impulse) at_step.declare(program_.impulse->name, kVector(kVelocity));
     moves_x_ = false;
     check_statements(program_.step, at_step);
     if (!moves_x_)
@@ -52,7 +63,66 @@ class Checker {
   Names with_parameters() const {
     Names names;
     for (const Parameter& p : program_.parameters) names.declare(p.name, kScalar(p.dimension));
+    for (const Root& r : program_.roots) names.declare(r.name, kScalar(kPure));
+    for (const Approximation& a : program_.approximations) names.declare(a.name, kScalar(kPure));
     return names;
+  }
+
+  /// Roots and approximate coefficients: names of their own.
+  void check_constants() const {
+    Names taken;
+    for (const Parameter& p : program_.parameters) taken.declare(p.name, kScalar(p.dimension));
+    const auto add = [&](const std::string& name, Place place) {
+      refuse_taken(taken, name, place);
+      taken.declare(name, kScalar(kPure));
+    };
+    for (const Root& r : program_.roots) add(r.name, r.place);
+    for (const Approximation& a : program_.approximations) add(a.name, a.place);
+  }
+
+  void check_splitting(const Splitting& splitting) const {
+    Names names = of_coefficients("; a weight is made of numbers, parameters and roots");
+    for (const Splitting::Part& part : splitting.parts) check_coefficient(part.weight, names, "a weight");
+  }
+
+  /// What the entries of tableaus and splittings may use.
+  Names of_coefficients(const std::string& allowed) const {
+    Names names = with_parameters();
+    names.force = false;
+    names.functions = Functions::of_programs;
+    names.allowed = allowed;
+    return names;
+  }
+
+  void check_coefficient(const Expr& entry, const Names& names, const std::string& what) const {
+    const Type type = type_of(entry, names, source_);
+    if (type.dimension != kPure)
+      throw source_.error(beginning(entry), what + " has no dimension; found " + type.str());
+  }
+
+  void check_assumptions() const {
+    Names names = of_coefficients("; an assumption may use numbers, h and the parameters");
+    names.declare("h", kScalar(kTime));
+    for (const Assumption& a : program_.assumptions) {
+      const Type left = type_of(a.left, names, source_);
+      const Type right = type_of(a.right, names, source_);
+      if (!left.zero && !right.zero && !left.same_as(right))
+        throw source_.error(a.place, "an assumption compares like with like, not " + left.str() + " with " + right.str());
+    }
+  }
+
+  void check_equation() const {
+    if (!program_.solves) return;
+    Names names = with_parameters();
+    names.functions = Functions::all;
+    names.allowed = "; the equation may use a(x, v, t), x, v, t and the parameters";
+    names.declare("x", kVector(kLength));
+    names.declare("v", kVector(kVelocity));
+    names.declare("t", kScalar(kTime));
+    const Type type = type_of(program_.solves, names, source_);
+    if (!type.zero && !type.same_as(kVector(kAcceleration)))
+      throw source_.error(beginning(program_.solves),
+                          "the equation is a " + kVector(kAcceleration).str() + ", found a " + type.str());
   }
 
   /// What the blocks below a block say of its locals.
@@ -98,16 +168,9 @@ class Checker {
   }
 
   void check_tableau(const Tableau& tableau) const {
-    Names names = with_parameters();
-    names.force = false;
-    names.allowed = "; an entry of a tableau is made of numbers and parameters";
+    const Names names = of_coefficients("; an entry of a tableau is made of numbers and parameters");
     const auto check_row = [&](const std::vector<Expr>& row) {
-      for (const Expr& entry : row) {
-        const Type type = type_of(entry, names, source_);
-        if (type.dimension != kPure)
-          throw source_.error(beginning(entry),
-                              "an entry of a tableau has no dimension; found " + type.str());
-      }
+      for (const Expr& entry : row) check_coefficient(entry, names, "an entry of a tableau");
     };
     check_row(tableau.c);
     for (const auto& row : tableau.a) check_row(row);
@@ -125,15 +188,43 @@ class Checker {
     for (const Statement& s : statements)
       if (s.kind == Statement::Kind::assign) names.later.insert(s.name);
     for (const Statement& s : statements) {
-      if (s.kind == Statement::Kind::assign) {
-        assign(s, names);
-      } else if (s.kind == Statement::Kind::solve) {
-        check_solve(s, names);
-      } else {
-        check_count(s.value, names);
-        check_statements(s.body, names);
+      switch (s.kind) {
+        case Statement::Kind::assign:
+          assign(s, names);
+          break;
+        case Statement::Kind::solve:
+          check_solve(s, names);
+          break;
+        case Statement::Kind::substeps:
+          check_count(s.value, names);
+          check_statements(s.body, names);
+          break;
+        case Statement::Kind::limit_speed:
+        case Statement::Kind::limit_move:
+          check_limit(s, names);
+          break;
+        case Statement::Kind::when: {
+          check_limit(s, names);
+          Names inside = names;
+          check_statements(s.body, inside);
+          for (const auto& [name, entry] : inside.known)
+            if (!names.known.contains(name))
+              names.hints[name] = "'" + name + "' is assigned within when only; assign it before as well";
+          break;
+        }
       }
     }
+  }
+
+  /// A bare number is one in m/s or m.
+  void check_limit(const Statement& s, const Names& names) const {
+    const bool length = s.kind == Statement::Kind::limit_move;
+    const Judgement size = judged(s.value, names, source_);
+    const Type wanted = kScalar(length ? kLength : kVelocity);
+    if (size.value && size.value->sign() <= 0)
+      throw source_.error(beginning(s.value), std::string("a ") + (length ? "length" : "speed") + " above 0 is expected here");
+    if (!size.value && !size.type.same_as(wanted))
+      throw source_.error(beginning(s.value), "expected a " + wanted.str() + ", found a " + size.type.str());
   }
 
   void refuse_unassignable(const std::string& name, Place place) const {
@@ -143,6 +234,10 @@ class Checker {
     if (name == "a") why = "; it is the force, a(x, v, t)";
     if (name == "n") why = "; it is the number of steps";
     if (program_.parameter(name)) why = "; it is a parameter";
+    if (program_.impulse && program_.impulse->name == name) why = "; it is the impulse";
+    if (std::ranges::find(program_.roots, name, &Root::name) != program_.roots.end()) why = "; it is a root";
+    if (std::ranges::find(program_.approximations, name, &Approximation::name) != program_.approximations.end())
+      why = "; it is a coefficient";
     if (why) throw source_.error(place, "'" + name + "' cannot be assigned" + why);
   }
 
@@ -197,6 +292,8 @@ class Checker {
                             "exact takes the degree of a polynomial, a whole number from 0 to 1000");
       return;
     }
+    if (claim.word == "trace" || claim.word == "determinant" || claim.word == "limit")
+      return check_stability_claim(claim);
     Names names = formula_names(program_, 0);
     names.allowed = "; a claim may use a, x0, v0, h, n, t and the parameters";
     const Type type = type_of(claim.value, names, source_);
@@ -204,6 +301,24 @@ class Checker {
     if (!type.zero && !type.same_as(wanted))
       throw source_.error(beginning(claim.value),
                           "a " + claim.word + " is a " + wanted.str() + ", found a " + type.str());
+  }
+
+  void check_stability_claim(const Claim& claim) const {
+    Names names = with_parameters();
+    names.force = false;
+    names.functions = Functions::all;
+    if (claim.word == "limit") {
+      names.declare("infinity", kScalar(kPure));
+      names.allowed = "; a limit is a number, such as 2 or 2*sqrt(2), or infinity";
+    } else {
+      names.declare("h", kScalar(kTime));
+      names.declare("w", kScalar({0, -1}));
+      names.declare("z", kScalar(kPure));
+      names.allowed = "; a " + claim.word + " may use h, w, z (= h*w) and the parameters";
+    }
+    const Type type = type_of(claim.value, names, source_);
+    if (!type.zero && !type.same_as(kScalar(kPure)))
+      throw source_.error(beginning(claim.value), "a " + claim.word + " is a " + kScalar(kPure).str() + ", found a " + type.str());
   }
 
   const Program& program_;
@@ -228,6 +343,9 @@ Names formula_names(const Program& program, int degree) {
   for (int d = 0; d <= degree; ++d)
     names.declare("f" + std::to_string(d), kVector(kAcceleration / Dimension{0, d}));
   for (const Parameter& p : program.parameters) names.declare(p.name, kScalar(p.dimension));
+  for (const Root& r : program.roots) names.declare(r.name, kScalar(kPure));
+  for (const Approximation& a : program.approximations) names.declare(a.name, kScalar(kPure));
+  names.functions = Functions::of_programs;
   return names;
 }
 

@@ -2,6 +2,7 @@
 #include "analysis/program/expression.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 
 namespace shortfall {
 
@@ -33,6 +34,30 @@ Expr call(std::string function, std::vector<Expr> arguments, Place place) {
 Expr sum(std::string index, Expr from, Expr to, Expr body) {
   return std::make_shared<const Expression>(
       Expression{Op::sum, {}, std::move(index), {std::move(from), std::move(to), std::move(body)}, {}});
+}
+
+std::optional<Rational> literal_value(const Expr& e) {
+  if (e->op == Op::number) return e->value;
+  if (e->op == Op::name || e->op == Op::force || e->op == Op::call || e->op == Op::sum) return {};
+  const auto left = literal_value(e->operands[0]);
+  if (!left || e->op == Op::negate) return left ? std::optional(-*left) : left;
+  const auto right = literal_value(e->operands[1]);
+  if (!right) return {};
+  switch (e->op) {
+    case Op::add:
+      return *left + *right;
+    case Op::subtract:
+      return *left - *right;
+    case Op::multiply:
+      return *left * *right;
+    case Op::divide:
+      return right->is_zero() ? std::nullopt : std::optional(*left / *right);
+    default: {
+      std::int64_t exponent = 0;
+      if (!right->fits_int64(exponent) || std::abs(exponent) > 1000 || (left->is_zero() && exponent < 0)) return {};
+      return left->pow(static_cast<int>(exponent));
+    }
+  }
 }
 
 bool is_number(const Expr& e, const Rational& value) { return e->op == Op::number && e->value == value; }

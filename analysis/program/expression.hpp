@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,8 @@ Expr operator/(Expr a, Expr b);
 Expr power(Expr a, int exponent);
 
 bool is_number(const Expr& e, const Rational& value);
+/// The value of an expression that is made of numbers, + - * / and whole powers only.
+std::optional<Rational> literal_value(const Expr& e);
 bool same(const Expr& a, const Expr& b);
 /// The expression with every name `from` replaced.
 Expr replace(const Expr& e, const std::string& from, const Expr& to);

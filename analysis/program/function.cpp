@@ -9,8 +9,8 @@ namespace shortfall {
 namespace {
 
 /// In the order of the enumeration.
-constexpr std::array<std::string_view, 12> kNames{"sqrt", "exp",  "pow",  "max",  "min",  "cos",
-                                                  "sin",  "acos", "atan", "cosh", "sinh", "acosh"};
+constexpr std::array<std::string_view, 13> kNames{"sqrt", "exp",  "pow",  "max",  "min",   "cos", "sin",
+                                                  "acos", "atan", "cosh", "sinh", "acosh", "log"};
 
 }  // namespace
 

@@ -7,8 +7,8 @@
 namespace shortfall {
 
 /// The functions of scalars that an expression may call. The first five stand in programs; formulas may use
-/// all of them.
-enum class Function { sqrt, exp, pow, max, min, cos, sin, acos, atan, cosh, sinh, acosh };
+/// all of them. In `solves` log(s) is a rate per second: (1 - c)^t = exp(log(1 - c) t).
+enum class Function { sqrt, exp, pow, max, min, cos, sin, acos, atan, cosh, sinh, acosh, log };
 
 std::optional<Function> function_named(std::string_view name);
 std::string_view name_of(Function f);

@@ -100,7 +100,7 @@ struct Reader {
         std::size_t end = i;
         while (end < text().size() && (is_letter(text()[end]) || is_digit(text()[end]))) ++end;
         push(Token::Kind::name, end - i);
-      } else if (std::string_view("+-*/^(),=:&{}").find(c) != std::string_view::npos) {
+      } else if (std::string_view("+-*/^(),=:&{}<>").find(c) != std::string_view::npos) {
         if (c == '(') open.push_back(here());
         if (c == ')') {
           if (open.empty()) throw source.error(here(), "this ) closes nothing");
@@ -124,7 +124,8 @@ bool opens_block(const std::string& line) {
   if (begin == std::string::npos) return false;
   const std::size_t end = line.find_first_of(" \t#", begin);
   const std::string word = line.substr(begin, end == std::string::npos ? end : end - begin);
-  return word == "start" || word == "step" || word == "finish" || word == "tableau" || word == "expect";
+  return word == "start" || word == "step" || word == "finish" || word == "tableau" ||
+         word == "splitting" || word == "expect";
 }
 
 /// Refuses a parenthesis that is never closed, before anything in the lines below it can be taken for the

@@ -5,6 +5,8 @@
 #include <cctype>
 #include <fstream>
 
+#include "analysis/program/head.hpp"
+#include "analysis/program/splitting.hpp"
 #include "analysis/program/suggest.hpp"
 #include "analysis/program/tableau.hpp"
 #include "analysis/program/token_reader.hpp"
@@ -14,16 +16,13 @@ namespace shortfall {
 namespace {
 
 // Functions and not constants: a file may be parsed while another translation unit sets up its own.
-const std::vector<std::string>& head_words() {
-  static const std::vector<std::string> words{"alias", "source", "param", "state"};
-  return words;
-}
 const std::vector<std::string>& block_words() {
-  static const std::vector<std::string> words{"start", "step", "finish", "tableau", "expect"};
+  static const std::vector<std::string> words{"start", "step", "finish", "tableau", "splitting", "expect"};
   return words;
 }
 const std::vector<std::string>& claim_words() {
-  static const std::vector<std::string> words{"exact", "shortfall", "shortfall-velocity"};
+  static const std::vector<std::string> words{"exact",       "shortfall", "shortfall-velocity", "trace",
+                                              "determinant", "limit"};
   return words;
 }
 
@@ -40,12 +39,14 @@ class FileParser {
 
   Program parsed() {
     while (next_line()) read_line();
-    if (statements_.size() > 1) throw source_.error(opened_, "this substeps { is never closed");
+    if (!opened_.empty())
+      throw source_.error(opened_.back().place, "this " + opened_.back().word + " { is never closed");
     if (program_.name.empty()) throw source_.error({1, 1}, "an integrator file begins with: integrator NAME");
-    if (!seen_.contains("step") && !program_.tableau)
+    if (!seen_.contains("step") && !program_.tableau && !program_.splitting)
       throw source_.error({source_.line_count(), 1}, "the integrator has no step (and no tableau)");
-    if (!program_.tableau && program_.step.empty()) throw source_.error(step_, "the step block is empty");
+    if (seen_.contains("step") && program_.step.empty()) throw source_.error(step_, "the step block is empty");
     if (program_.tableau) lower_tableau(program_, source_);
+    if (program_.splitting) lower_splitting(program_, source_);
     check(program_, source_);
     return std::move(program_);
   }
@@ -114,6 +115,7 @@ class FileParser {
     if (is_one_of(first, head_words()) && !assigned)
       throw error("'" + first + "' stands at the head of the file, before the blocks");
     if (block_ == "tableau") return read_row(first);
+    if (block_ == "splitting") return read_part(first);
     if (block_ == "expect") return read_claim(first);
     read_statement(*statements_.back(), first);
   }
@@ -164,30 +166,15 @@ class FileParser {
       (first == "alias" ? program_.aliases : program_.sources).push_back(rest("text after " + first));
       return;
     }
-    if (first == "param" || first == "state") {
+    if (is_one_of(first, head_words())) {
       skip(first.size());
       TokenReader in = reader();
-      const Token name =
-          in.expect_name("the name of a " + std::string(first == "param" ? "parameter" : "state"));
-      const bool typed = in.take_if(":");
-      if (first == "state") {
-        if (!typed) throw in.error("a state has a dimension: state " + name.text + " : L/T^2");
-        program_.states.push_back({name.text, in.dimension(), name.place});
-        if (in.at("="))
-          throw in.error("the first value of a state stands in a start block: " + name.text + " = ...");
-        in.expect_end("the dimension");
-      } else {
-        const Dimension dimension = typed ? in.dimension() : kPure;
-        if (!in.at("=")) throw in.error("a parameter has a default: param " + name.text + " = 1/4");
-        in.take();
-        program_.parameters.push_back({name.text, dimension, in.expression(), name.place});
-        in.expect_end("the default");
-      }
-      return;
+      return read_declaration(program_, first, in, place);
     }
     std::vector<std::string> words = head_words();
     words.insert(words.end(), block_words().begin(), block_words().end());
-    if (first.empty() || next_is_equals(first) || first == "solve" || first == "substeps")
+    static const std::vector<std::string> statement_words{"solve", "substeps", "when", "limit"};
+    if (first.empty() || next_is_equals(first) || is_one_of(first, statement_words))
       throw source_.error(place, "a statement stands in a start, step or finish block; none is open");
     if (is_one_of(first, claim_words()))
       throw source_.error(place, "'" + first + "' is a claim and stands in an expect block; none is open");
@@ -195,11 +182,17 @@ class FileParser {
   }
 
   void open_block(const std::string& block) {
-    if (statements_.size() > 1)
-      throw source_.error(opened_, "this substeps { is not closed before '" + block + "'");
+    if (!opened_.empty())
+      throw source_.error(opened_.back().place,
+                          "this " + opened_.back().word + " { is not closed before '" + block + "'");
     if (!seen_.insert(block).second) throw error("there is already a " + block + " block");
-    if ((block == "tableau" && seen_.contains("step")) || (block == "step" && seen_.contains("tableau")))
-      throw error("an integrator has a step or a tableau, not both");
+    if ((block == "tableau" || block == "splitting") && seen_.contains("step"))
+      throw error("an integrator has a step or a " + block + ", not both");
+    if (block == "step" && (seen_.contains("tableau") || seen_.contains("splitting")))
+      throw error(seen_.contains("tableau") ? "an integrator has a step or a tableau, not both"
+                                            : "an integrator has a step or a splitting, not both");
+    if ((block == "tableau" && seen_.contains("splitting")) || (block == "splitting" && seen_.contains("tableau")))
+      throw error("an integrator has a tableau or a splitting, not both");
     const Place place = here();
     skip(block.size());
     if (!at_end_of_line())
@@ -214,15 +207,23 @@ class FileParser {
       program_.tableau.emplace();
       program_.tableau->place = place;
     }
+    if (block == "splitting") {
+      program_.splitting.emplace();
+      program_.splitting->place = place;
+    }
   }
 
   void read_statement(std::vector<Statement>& block, const std::string& first) {
-    if (is_one_of(first, claim_words()) && !next_is_equals(first))
+    if (is_one_of(first, claim_words()) && !next_is_equals(first) && !(first == "limit" && block_ == "step"))
       throw error("'" + first + "' is a claim and stands in an expect block");
     TokenReader in = reader();
-    if (in.at("}")) return close_substeps(in);
-    if (first == "solve" && !next_is_equals(first)) return read_solve(block, in);
-    if (first == "substeps" && !next_is_equals(first)) return open_substeps(block, in);
+    if (in.at("}")) return close_braces(in);
+    if (!next_is_equals(first)) {
+      if (first == "solve") return read_solve(block, in);
+      if (first == "substeps") return open_substeps(block, in);
+      if (first == "when") return open_when(block, in);
+      if (first == "limit") return read_limit(block, in);
+    }
     const Token name = in.expect_name("a statement NAME = EXPRESSION");
     if (in.at_end() && !nearest(name.text, block_words()).empty())
       throw error("unknown word '" + name.text + "'" + did_you_mean(name.text, block_words()));
@@ -264,24 +265,69 @@ class FileParser {
   }
 
   void open_substeps(std::vector<Statement>& block, TokenReader& in) {
-    if (statements_.size() > 1) throw in.error("substeps cannot stand inside substeps");
+    for (const Opened& outer : opened_)
+      throw in.error(outer.word == "when" ? "substeps cannot stand inside when"
+                                          : "substeps cannot stand inside substeps");
     if (block_ != "step") throw in.error("substeps stands in the step block");
     Statement s;
     s.kind = Statement::Kind::substeps;
     s.place = in.take().place;
     s.value = in.expression();
-    in.expect("{", "after the number of substeps");
+    open_braces(block, std::move(s), in, "after the number of substeps");
+  }
+
+  /// when speed > S {
+  void open_when(std::vector<Statement>& block, TokenReader& in) {
+    if (!opened_.empty() && opened_.back().word == "when") throw in.error("when cannot stand inside when");
+    if (block_ != "step") throw in.error("when stands in the step block");
+    Statement s;
+    s.kind = Statement::Kind::when;
+    s.place = in.take().place;
+    if (in.peek().text != "speed") throw in.error("what when compares is the speed: when speed > 0.01 {");
+    in.take();
+    in.expect(">", "after 'when speed'");
+    s.value = in.expression();
+    open_braces(block, std::move(s), in, "after the speed");
+  }
+
+  void read_limit(std::vector<Statement>& block, TokenReader& in) {
+    if (block_ != "step") throw in.error("limit stands in the step block");
+    Statement s;
+    s.place = in.take().place;
+    const std::string& what = in.peek().text;
+    if (what != "speed" && what != "move")
+      throw in.error("what is limited is the speed or the move of a step: limit speed 500, limit move 2");
+    s.kind = what == "speed" ? Statement::Kind::limit_speed : Statement::Kind::limit_move;
+    in.take();
+    s.value = in.expression();
+    in.expect_end("the limit");
     block.push_back(std::move(s));
-    opened_ = block.back().place;
+  }
+
+  void open_braces(std::vector<Statement>& block, Statement s, TokenReader& in, const std::string& where) {
+    in.expect("{", where);
+    const std::string word = s.kind == Statement::Kind::when ? "when" : "substeps";
+    opened_.push_back({s.place, word});
+    block.push_back(std::move(s));
     statements_.push_back(&block.back().body);
     if (!in.at_end()) throw in.error("what follows '{' stands on lines of its own");
   }
 
-  void close_substeps(TokenReader& in) {
-    if (statements_.size() < 2) throw in.error("this } closes nothing");
+  void close_braces(TokenReader& in) {
+    if (opened_.empty()) throw in.error("this } closes nothing");
     in.take();
     in.expect_end("'}'");
     statements_.pop_back();
+    opened_.pop_back();
+  }
+
+  void read_part(const std::string& first) {
+    const Place place = here();
+    if (first != "kick" && first != "drift")
+      throw error("a splitting holds rows such as: kick 1/2, drift 1" + did_you_mean(first, {"kick", "drift"}));
+    skip(first.size());
+    TokenReader in = reader();
+    read_splitting_row(*program_.splitting, first, in, place);
   }
 
   void read_row(const std::string& first) {
@@ -294,7 +340,7 @@ class FileParser {
     if (!is_one_of(first, claim_words()))
       throw error("unknown claim '" + first + "'" + did_you_mean(first, claim_words()) +
                   (nearest(first, claim_words()).empty()
-                       ? "; the claims are exact, shortfall, shortfall-velocity"
+                       ? "; the claims are exact, shortfall, shortfall-velocity, trace, determinant, limit"
                        : ""));
     const Place place = here();
     skip(first.size());
@@ -309,7 +355,11 @@ class FileParser {
   std::set<std::string> seen_;
   std::string block_;
   std::vector<std::vector<Statement>*> statements_;
-  Place opened_;  ///< the substeps that is open
+  struct Opened {
+    Place place;
+    std::string word;
+  };
+  std::vector<Opened> opened_;  ///< braces that are open
   Place step_;
   int line_ = 0;
   std::size_t byte_ = 0;

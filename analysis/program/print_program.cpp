@@ -29,6 +29,15 @@ std::string statements(const std::vector<Statement>& block, const std::string& i
         text += indent + "substeps " + print_decimals(s.value) + " {\n" + statements(s.body, indent + "  ") +
                 indent + "}\n";
         break;
+      case Statement::Kind::limit_speed:
+      case Statement::Kind::limit_move:
+        text += indent + (s.kind == Statement::Kind::limit_move ? "limit move " : "limit speed ") +
+                print_decimals(s.value) + "\n";
+        break;
+      case Statement::Kind::when:
+        text += indent + "when speed > " + print_decimals(s.value) + " {\n" + statements(s.body, indent + "  ") +
+                indent + "}\n";
+        break;
     }
   }
   return text;
@@ -55,6 +64,30 @@ std::string tableau_block(const Tableau& tableau) {
   return text;
 }
 
+std::string splitting_block(const Splitting& splitting) {
+  std::string text = "\nsplitting\n";
+  for (const Splitting::Part& part : splitting.parts)
+    text += (part.kick ? "  kick  " : "  drift ") + print_decimals(part.weight) + "\n";
+  return text;
+}
+
+/// The declarations of the second half of the head.
+std::string declarations(const Program& p) {
+  std::string text;
+  for (const Root& root : p.roots) {
+    text += "  root   " + root.name + " of " + print_decimals(root.left) + " = " + print_decimals(root.right);
+    if (root.near) text += " near " + print_decimals(number(*root.near));
+    text += "\n";
+  }
+  for (const Approximation& a : p.approximations) text += "  approx " + a.name + " = " + a.text + "\n";
+  for (const State& state : p.states) text += "  state  " + state.name + " : " + state.dimension.str() + "\n";
+  if (p.impulse) text += "  impulse " + p.impulse->name + " : " + p.impulse->dimension.str() + "\n";
+  if (p.holds_force) text += "  hold   a\n";
+  for (const Assumption& a : p.assumptions) text += "  assume " + a.str() + "\n";
+  if (p.solves) text += "  solves " + print_decimals(p.solves) + "\n";
+  return text;
+}
+
 bool same_rows(const std::vector<Expr>& a, const std::vector<Expr>& b) {
   return std::ranges::equal(a, b, [](const Expr& p, const Expr& q) { return same(p, q); });
 }
@@ -70,6 +103,31 @@ bool same_statements(const std::vector<Statement>& a, const std::vector<Statemen
   });
 }
 
+bool same_splittings(const std::optional<Splitting>& a, const std::optional<Splitting>& b) {
+  if (!a || !b) return !a && !b;
+  return std::ranges::equal(a->parts, b->parts, [](const Splitting::Part& p, const Splitting::Part& q) {
+    return p.kick == q.kick && same(p.weight, q.weight);
+  });
+}
+
+bool same_declarations(const Program& a, const Program& b) {
+  const auto same_root = [](const Root& p, const Root& q) {
+    return p.name == q.name && same(p.left, q.left) && same(p.right, q.right) && p.near == q.near;
+  };
+  const auto same_approximation = [](const Approximation& p, const Approximation& q) {
+    return p.name == q.name && p.text == q.text;
+  };
+  const auto same_assumption = [](const Assumption& p, const Assumption& q) {
+    return p.less == q.less && same(p.left, q.left) && same(p.right, q.right);
+  };
+  const bool same_impulse =
+      a.impulse && b.impulse ? a.impulse->name == b.impulse->name : !a.impulse && !b.impulse;
+  return std::ranges::equal(a.roots, b.roots, same_root) &&
+         std::ranges::equal(a.approximations, b.approximations, same_approximation) && same_impulse &&
+         a.holds_force == b.holds_force && std::ranges::equal(a.assumptions, b.assumptions, same_assumption) &&
+         (a.solves && b.solves ? same(a.solves, b.solves) : !a.solves && !b.solves);
+}
+
 bool same_tableaus(const std::optional<Tableau>& a, const std::optional<Tableau>& b) {
   if (!a || !b) return !a && !b;
   return same_rows(a->c, b->c) && std::ranges::equal(a->a, b->a, same_rows) && same_rows(a->b, b->b) &&
@@ -77,6 +135,14 @@ bool same_tableaus(const std::optional<Tableau>& a, const std::optional<Tableau>
 }
 
 }  // namespace
+
+Expr Assumption::positive() const {
+  return less ? binary(Expression::Op::subtract, right, left) : binary(Expression::Op::subtract, left, right);
+}
+
+std::string Assumption::str() const {
+  return print_decimals(left) + (less ? " < " : " > ") + print_decimals(right);
+}
 
 std::string print(const Program& p) {
   std::string text;
@@ -93,9 +159,11 @@ std::string print(const Program& p) {
     text += "  param  " + parameter.name +
             (parameter.dimension == kPure ? "" : " : " + parameter.dimension.str()) + " = " +
             print_decimals(parameter.fallback) + "\n";
-  for (const State& state : p.states) text += "  state  " + state.name + " : " + state.dimension.str() + "\n";
+  text += declarations(p);
   if (!p.start.empty()) text += "\nstart\n" + statements(p.start, "  ");
-  text += p.tableau ? tableau_block(*p.tableau) : "\nstep\n" + statements(p.step, "  ");
+  text += p.tableau     ? tableau_block(*p.tableau)
+          : p.splitting ? splitting_block(*p.splitting)
+                        : "\nstep\n" + statements(p.step, "  ");
   if (!p.finish.empty()) text += "\nfinish\n" + statements(p.finish, "  ");
   if (!p.claims.empty()) text += "\nexpect\n";
   for (const Claim& claim : p.claims) text += "  " + claim.word + " " + print_decimals(claim.value) + "\n";
@@ -116,7 +184,8 @@ bool same(const Program& a, const Program& b) {
          a.sources == b.sources && std::ranges::equal(a.parameters, b.parameters, same_parameter) &&
          std::ranges::equal(a.states, b.states, same_state) && same_statements(a.start, b.start) &&
          same_statements(a.step, b.step) && same_statements(a.finish, b.finish) &&
-         same_tableaus(a.tableau, b.tableau) && std::ranges::equal(a.claims, b.claims, same_claim);
+         same_tableaus(a.tableau, b.tableau) && same_splittings(a.splitting, b.splitting) &&
+         same_declarations(a, b) && std::ranges::equal(a.claims, b.claims, same_claim);
 }
 
 }  // namespace shortfall

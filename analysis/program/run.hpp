@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
 #include <utility>
 #include <vector>
 
+#include "analysis/algebra/error.hpp"
+#include "analysis/program/function.hpp"
 #include "analysis/program/tape.hpp"
 
 namespace shortfall {
@@ -20,7 +23,13 @@ namespace shortfall {
 ///   Vector zero()
 ///   Vector acceleration(const Vector& x, const Vector& v, const Scalar& t)
 ///   void solve(std::vector<Vector>& unknowns, F&& f)
-/// where the unknowns of `solve` hold a first guess, then satisfy unknowns = f(unknowns).
+///   Scalar function(Function, const Scalar& a, const Scalar& b)
+///   Scalar root(const RealRoot&, const std::string& name)
+///   bool longer(const Vector& measured, const Scalar& size, bool assumed)
+///   Vector shortened(const Vector& v, const Vector& measured, const Scalar& size)
+/// where the unknowns of `solve` hold a first guess, then satisfy unknowns = f(unknowns); `longer` compares a length with a size, and returns
+/// what is assumed where lengths have no values (a problem that can use the head's assumptions has
+/// assume(Scalar positive, std::string) too); `shortened` is v scaled by size over the length of what is measured.
 template <class Problem>
 class Run {
  public:
@@ -47,6 +56,27 @@ class Run {
       else
         execute(p.fallback);
     }
+    execute(tape.constants);
+    if constexpr (requires(Scalar s) { problem.assume(s, std::string()); })
+      for (const Tape::AssumptionSlot& a : tape.assumptions) {
+        execute(a.body);
+        problem.assume(scalars_[a.positive], a.text);
+      }
+  }
+
+  /// A `limit` that acted, or a `when` that did not hold: closed forms take it that neither happens.
+  struct Deviation {
+    std::int64_t step = 0;  ///< the first such step, counted from 1
+    std::string text;       ///< "limit speed 500"
+  };
+  const std::optional<Deviation>& deviation() const { return deviation_; }
+
+  /// Gives the body an impulse (divided by its mass), which acts in the next step only.
+  ///
+  /// throws  BadInput  when the integrator reads none
+  void give_impulse(Vector j) {
+    if (tape_.impulse < 0) throw BadInput(tape_.name + " knows no impulse");
+    vectors_[tape_.impulse] = std::move(j);
   }
 
   /// Puts the body at x0, v0 at a time and runs `start`.
@@ -54,12 +84,17 @@ class Run {
     vectors_[Tape::kPosition] = std::move(x0);
     vectors_[Tape::kVelocityRegister] = std::move(v0);
     scalars_[Tape::kTimeRegister] = std::move(t0);
+    if (tape_.impulse >= 0) vectors_[tape_.impulse] = problem_.zero();
+    steps_ = 0;
+    deviation_.reset();
     execute(tape_.start);
   }
 
   /// One step; t has advanced by h when it returns.
   void step() {
+    ++steps_;
     execute(tape_.step);
+    if (tape_.impulse >= 0) vectors_[tape_.impulse] = problem_.zero();
     scalars_[Tape::kTimeRegister] = scalars_[Tape::kTimeRegister] + scalars_[Tape::kStep];
   }
 
@@ -145,6 +180,18 @@ class Run {
       case Kind::repeat:
         repeat(tape_.repeats[i.a]);
         break;
+      case Kind::function:
+        s[i.out] = problem_.function(static_cast<Function>(i.c), s[i.a], s[i.b]);
+        break;
+      case Kind::root:
+        s[i.out] = problem_.root(*tape_.roots[i.a], tape_.root_names[i.a]);
+        break;
+      case Kind::limit:
+        limit(tape_.limits[i.a]);
+        break;
+      case Kind::when:
+        when(tape_.whens[i.a]);
+        break;
     }
   }
 
@@ -177,14 +224,42 @@ class Run {
     scalars_[Tape::kStep] = h / problem_.number(repeat.count);
     for (int k = 0; k < repeat.count; ++k) {
       execute(repeat.body);
+      if (repeat.whole_steps && tape_.impulse >= 0) vectors_[tape_.impulse] = problem_.zero();
       scalars_[Tape::kTimeRegister] = scalars_[Tape::kTimeRegister] + scalars_[Tape::kStep];
     }
     scalars_[Tape::kStep] = h;
     scalars_[Tape::kTimeRegister] = t;
   }
 
+  void limit(const Tape::Limit& limit) {
+    Vector& v = vectors_[Tape::kVelocityRegister];
+    const Scalar& size = scalars_[limit.size];
+    if (!limit.move) {
+      if (!problem_.longer(v, size, false)) return;
+      v = problem_.shortened(v, v, size);
+    } else {
+      const Vector move = scalars_[Tape::kStep] * v;
+      if (!problem_.longer(move, size, false)) return;
+      v = problem_.shortened(v, move, size);
+    }
+    deviate(limit.text);
+  }
+
+  void when(const Tape::When& when) {
+    if (problem_.longer(vectors_[Tape::kVelocityRegister], scalars_[when.speed], true))
+      execute(when.body);
+    else
+      deviate(when.text);
+  }
+
+  void deviate(const std::string& text) {
+    if (!deviation_) deviation_ = Deviation{steps_, text};
+  }
+
   const Tape& tape_;
   Problem& problem_;
+  std::int64_t steps_ = 0;
+  std::optional<Deviation> deviation_;
   std::vector<Scalar> numbers_;
   std::vector<Scalar> scalars_;
   std::vector<Vector> vectors_;

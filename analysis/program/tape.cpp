@@ -5,6 +5,7 @@
 #include <set>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/program/function.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/suggest.hpp"
 
@@ -90,9 +91,27 @@ class Lowering {
       scalars_[p.name] = slot;
       tape_.parameters.push_back(std::move(parameter));
     }
+    block_ = &tape_.constants;
+    for (const Root& r : program.roots) {
+      tape_.roots.push_back(r.value);
+      tape_.root_names.push_back(r.name);
+      scalars_[r.name] = new_scalar();
+      emit(Kind::root, scalars_[r.name], static_cast<int>(tape_.roots.size()) - 1);
+    }
+    for (const Approximation& a : program.approximations) {
+      scalars_[a.name] = new_scalar();
+      scalar_into(number(a.value), scalars_[a.name]);
+    }
+    for (const Assumption& a : program.assumptions) {
+      Tape::AssumptionSlot slot{{}, new_scalar(), a.str()};
+      block_ = &slot.body;
+      scalar_into(a.positive(), slot.positive);
+      tape_.assumptions.push_back(std::move(slot));
+    }
     state("x", kLength);
     state("v", kVelocity);
     for (const State& s : program.states) state(s.name, s.dimension);
+    if (program.impulse) tape_.impulse = vectors_[program.impulse->name] = new_vector();
   }
 
   Tape tape() {
@@ -104,6 +123,12 @@ class Lowering {
       scalars_ = scalars;
       vectors_ = vectors;
       block_ = to;
+      held_ = -1;
+      if (program_.holds_force && to == &tape_.step) {
+        const int out = new_vector();
+        emit(Kind::force, out, Tape::kPosition, Tape::kVelocityRegister, Tape::kTimeRegister);
+        held_ = out;
+      }
       statements(*from);
     }
     return std::move(tape_);
@@ -127,6 +152,7 @@ class Lowering {
       case Op::force:
         return true;
       case Op::power:
+      case Op::call:
         return false;
       default:
         return std::ranges::any_of(e->operands, [&](const Expr& o) { return is_vector(o); });
@@ -157,6 +183,11 @@ class Lowering {
         std::int64_t exponent = 0;
         value_of(e->operands[1], {}).fits_int64(exponent);
         return emit(Kind::scalar_power, out, base, static_cast<int>(exponent));
+      }
+      case Op::call: {
+        const int a = scalar(e->operands[0]);
+        const int b = e->operands.size() > 1 ? scalar(e->operands[1]) : a;
+        return emit(Kind::function, out, a, b, static_cast<int>(*function_named(e->name)));
       }
       default:
         break;
@@ -201,6 +232,7 @@ class Lowering {
         return emit(Kind::vector_divide, out, a, scalar(o[1]));
       }
       case Op::force: {
+        if (held_ >= 0) return emit(Kind::vector_copy, out, held_);
         const int x = vector(o[0]);
         const int v = vector(o[1]);
         return emit(Kind::force, out, x, v, scalar(o[2]));
@@ -221,6 +253,13 @@ class Lowering {
           break;
         case Statement::Kind::substeps:
           repeat(s);
+          break;
+        case Statement::Kind::limit_speed:
+        case Statement::Kind::limit_move:
+          limit(s);
+          break;
+        case Statement::Kind::when:
+          when(s);
           break;
       }
     }
@@ -271,7 +310,7 @@ class Lowering {
     const Rational value = value_of(s.value, values_);
     if (!value.fits_int64(count) || count < 1 || count > 10'000)
       throw BadInput("a number of substeps is a whole number from 1 to 10000, not " + value.str());
-    Tape::Repeat repeat{static_cast<int>(count), {}};
+    Tape::Repeat repeat{static_cast<int>(count), s.whole_steps, {}};
     Block* outer = block_;
     block_ = &repeat.body;
     statements(s.body);
@@ -280,9 +319,30 @@ class Lowering {
     emit(Kind::repeat, 0, static_cast<int>(tape_.repeats.size()) - 1);
   }
 
+  void limit(const Statement& s) {
+    const bool move = s.kind == Statement::Kind::limit_move;
+    tape_.limits.push_back({move, scalar(s.value), (move ? "limit move " : "limit speed ") + print_decimals(s.value)});
+    emit(Kind::limit, 0, static_cast<int>(tape_.limits.size()) - 1);
+  }
+
+  void when(const Statement& s) {
+    Tape::When when{scalar(s.value), {}, "when speed > " + print_decimals(s.value)};
+    const auto scalars = scalars_;
+    const auto vectors = vectors_;
+    Block* outer = block_;
+    block_ = &when.body;
+    statements(s.body);
+    block_ = outer;
+    scalars_ = scalars;  // names made within are gone after it
+    vectors_ = vectors;
+    tape_.whens.push_back(std::move(when));
+    emit(Kind::when, 0, static_cast<int>(tape_.whens.size()) - 1);
+  }
+
   const Program& program_;
   Values values_;
   Tape tape_;
+  int held_ = -1;  ///< register of the force where it is held; -1 where it is evaluated
   std::map<std::string, int> scalars_;
   std::map<std::string, int> vectors_;
   Block* block_ = nullptr;

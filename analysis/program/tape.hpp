@@ -24,6 +24,8 @@ struct Instruction {
     scalar_multiply,
     scalar_divide,
     scalar_power,  ///< scalar out = a ^ b, b the exponent itself
+    function,      ///< scalar out = functions c of scalars a, b (b = a for functions of one value)
+    root,          ///< scalar out = roots[a]
     zero,          ///< vector out = 0
     vector_copy,
     vector_negate,
@@ -34,6 +36,8 @@ struct Instruction {
     force,          ///< vector out = a(vector a, vector b, scalar c)
     solve,          ///< solves[a]
     repeat,         ///< repeats[a]
+    limit,          ///< limits[a]
+    when,           ///< whens[a]
   };
   Kind kind;
   int out = 0;
@@ -56,7 +60,25 @@ struct Tape {
   };
   struct Repeat {
     int count;
+    bool whole_steps;  ///< an impulse acts in the first of them only
     Block body;
+  };
+  /// v is scaled down to a size that it (or h v) must not exceed.
+  struct Limit {
+    bool move;  ///< h v is measured; otherwise v
+    int size;   ///< scalar register
+    std::string text;  ///< "limit speed 500"
+  };
+  /// What is done only when v is faster than a speed.
+  struct When {
+    int speed;  ///< scalar register
+    Block body;
+    std::string text;  ///< "when speed > 1/100"
+  };
+  struct AssumptionSlot {
+    Block body;
+    int positive;  ///< scalar register
+    std::string text;
   };
   struct ParameterSlot {
     std::string name;
@@ -77,6 +99,13 @@ struct Tape {
   std::vector<Rational> numbers;
   std::vector<Solve> solves;
   std::vector<Repeat> repeats;
+  std::vector<Limit> limits;
+  std::vector<When> whens;
+  std::vector<std::shared_ptr<const RealRoot>> roots;
+  std::vector<std::string> root_names;
+  std::vector<AssumptionSlot> assumptions;
+  int impulse = -1;  ///< vector register of the impulse; -1 when there is none
+  Block constants;   ///< roots and approximate coefficients into their registers
   Block start;
   Block step;
   Block finish;

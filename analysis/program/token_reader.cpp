@@ -167,10 +167,10 @@ void TokenReader::refuse_unclosed(const Token& open) const {
 
 void TokenReader::refuse_call(const Token& function, const Token& open, std::size_t values) const {
   static const std::set<std::string, std::less<>> kElsewhere{"abs", "asin", "atan2", "cbrt", "ln",
-                                                             "log", "sgn",  "tan",   "tanh"};
+                                                             "sgn", "tan",  "tanh"};
   if (kElsewhere.contains(function.text))
     throw error(function.place,
-                "there is no function '" + function.text + "'; the only one is the force, a(x, v, t)");
+                "there is no function '" + function.text + "'; there are sqrt, exp, pow, max, min, and the force a(x, v, t)");
   if (values == 1)
     throw error(open.place,
                 "an operator is missing before '('; a product is written with *: " + function.text + "*(");
@@ -199,6 +199,19 @@ Expr TokenReader::call(const Token& function) {
     throw error(function.place, "a takes 3 values, position, velocity, time: a(x, v, t); found " +
                                     std::to_string(arguments.size()));
   return force(arguments[0], arguments[1], arguments[2], function.place);
+}
+
+TokenReader::SignedNumber TokenReader::signed_number(std::string_view what) {
+  const Place place = peek().place;
+  const bool minus = take_if("-");
+  if (peek().kind != Token::Kind::number) throw error("expected " + std::string(what) + ", found " + found());
+  const Token digits = take();
+  try {
+    const Rational size = Rational::parse(digits.text);
+    return {minus ? -size : size, (minus ? "-" : "") + digits.text, place};
+  } catch (const BadInput& e) {
+    throw source_.error(place, e.what());
+  }
 }
 
 int TokenReader::whole_number(std::string_view what) {

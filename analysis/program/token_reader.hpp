@@ -27,6 +27,13 @@ class TokenReader {
   void expect_end(std::string_view after);
 
   Expr expression();
+  /// A number as it is printed, with its sign.
+  struct SignedNumber {
+    Rational value;
+    std::string text;
+    Place place;
+  };
+  SignedNumber signed_number(std::string_view what);
   /// "L/T^2", "1/T", "1".
   Dimension dimension();
 

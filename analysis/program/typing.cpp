@@ -186,8 +186,10 @@ class Typing {
     const bool allowed = names_.functions == Functions::all ||
                          (names_.functions == Functions::of_programs && stands_in_programs(f));
     if (!allowed)
-      throw source_.error(e->place,
-                          "there is no function '" + e->name + "'; the only one is the force, a(x, v, t)");
+      throw source_.error(e->place, names_.functions == Functions::none
+                                        ? "the function '" + e->name + "' cannot be called here"
+                                        : "there is no function '" + e->name +
+                                              "' here; there are sqrt, exp, pow, max, min");
     std::vector<Judgement> given;
     int growth = 1;
     for (const Expr& operand : e->operands) {
@@ -210,6 +212,10 @@ class Typing {
       case Function::pow:
         require_pure(e, 0, given[0]);
         if (!given[1].type.same_as({Sort::scalar, kTime})) require_pure(e, 1, given[1]);
+        break;
+      case Function::log:  // a rate per second
+        require_pure(e, 0, given[0]);
+        j.type.dimension = Dimension{0, -1};
         break;
       default:
         require_pure(e, 0, given[0]);

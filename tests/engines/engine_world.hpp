@@ -4,10 +4,12 @@
 #include <cmath>
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/rational.hpp"
+#include "analysis/problems/functions.hpp"
 #include "tests/engines/components.hpp"
 #include "tests/engines/recording.hpp"
 
@@ -37,6 +39,13 @@ struct EngineWorld {
     typename Vector::Parts force{};
     for (std::size_t i = 0; i < 3; ++i) force[i] = C(S(user_force(x.parts(), i)) / S(recording.mass));
     return Vector(vector(recording.gravity).parts(), force, adding);
+  }
+
+  Scalar function(Function f, Scalar a, Scalar b) const { return value_of(f, a, b); }
+  Scalar root(const RealRoot&, const std::string&) const { throw Unable("an engine's frame has no irrational coefficients"); }
+  bool longer(const Vector& measured, Scalar size, bool) const { return norm(measured) > size; }
+  Vector shortened(const Vector& v, const Vector& measured, Scalar size) const {
+    return size / norm(measured) * v;
   }
 
   template <class F>

@@ -108,6 +108,7 @@ void run(const Recording& r, const Engine& engine, Outcome& outcome) {
   EngineWorld<S, C> world{r, engine.adding};
   Run<EngineWorld<S, C>> body(tape, world, S(r.step(1)));
   body.begin(world.vector(r.rows[0].x), world.vector(r.rows[0].v), S(0));
+  if (r.impulsive()) body.give_impulse(world.vector(r.launch));
   for (std::size_t frame = 0; frame < r.rows.size(); ++frame) {
     if (frame > 0) {
       body.set_step(S(r.step(frame)));
