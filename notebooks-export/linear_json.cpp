@@ -90,12 +90,15 @@ Json as_json(const LinearDerivation& d, const LinearKit& kit) {
                          {"factor", print(formula(kit.conserved->factor, w))}};
   add_kit(json, kit);
   json["valid_from"] = d.form.valid_from;
-  json["proof"] = {
-      {"kind", "recurrence"},
-      {"proved", d.proved()},
-      {"points", d.proof.points},
-      {"recurrence_order", d.proof.recurrence},
-      {"random_check", {{"trials", d.check.trials}, {"steps", d.check.steps}, {"digits", d.check.digits}, {"agrees", d.check.agrees}}}};
+  json["proof"] = {{"kind", "recurrence"},
+                   {"proved", d.proved()},
+                   {"points", d.proof.points},
+                   {"recurrence_order", d.proof.recurrence},
+                   {"random_check",
+                    {{"trials", d.check.trials},
+                     {"steps", d.check.steps},
+                     {"digits", d.check.digits},
+                     {"agrees", d.check.agrees}}}};
   json["assumptions"] = d.assumptions;
   return json;
 }

@@ -63,7 +63,11 @@ Json as_json(const Derivation& d, const CorrectionKit* kit) {
       {"statement",
        "both sides satisfy one linear recurrence of this order and agree, as functions of all letters, at as "
        "many consecutive n"},
-      {"random_check", {{"trials", d.check.trials}, {"steps", d.check.steps}, {"digits", d.check.digits}, {"agrees", d.check.agrees}}}};
+      {"random_check",
+       {{"trials", d.check.trials},
+        {"steps", d.check.steps},
+        {"digits", d.check.digits},
+        {"agrees", d.check.agrees}}}};
   Json steps = Json::array();
   for (const DerivationStep& s : d.steps)
     steps.push_back({{"latex", print(s.left, Style::latex) + " = " + print(s.right, Style::latex)},

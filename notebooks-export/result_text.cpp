@@ -71,8 +71,12 @@ std::string line(const std::string& left, const Expr& right, Style style) {
 std::string sentence(const RandomCheck& check) {
   const bool exact = check.digits == 0;
   return std::to_string(check.trials) + " random cases stepped " +
-         (exact ? "in rational numbers" : "with 80 digits") + " for " + std::to_string(check.steps) + " steps: " +
-         (!check.agrees ? "DIFFERENT" : exact ? "equal" : "equal to " + std::to_string(check.digits) + " digits") + ".";
+         (exact ? "in rational numbers" : "with 80 digits") + " for " + std::to_string(check.steps) +
+         " steps: " +
+         (!check.agrees ? "DIFFERENT"
+          : exact       ? "equal"
+                        : "equal to " + std::to_string(check.digits) + " digits") +
+         ".";
 }
 
 std::string as_text(const CorrectionKit& kit, const Derivation& d, Style style) {

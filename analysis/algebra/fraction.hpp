@@ -9,8 +9,8 @@ namespace shortfall {
 /// A rational function: a quotient of two polynomials over the rationals.
 ///
 /// Invariant: in lowest terms, denominator monic (leading coefficient 1); so equality is structural. While
-/// the denominator is 1 no gcd is computed, and nothing is stored for it. Within a NumberField its generators are
-/// numbers: reduced, and in no denominator.
+/// the denominator is 1 no gcd is computed, and nothing is stored for it. Within a NumberField its generators
+/// are numbers: reduced, and in no denominator.
 class Fraction {
  public:
   Fraction() = default;

@@ -31,7 +31,8 @@ Polynomial joined(const std::vector<Polynomial>& coefficients, Letter letter) {
   return result;
 }
 
-/// c with c p = 1 modulo the generator's minimal polynomial, each coefficient a fraction free of the generator.
+/// c with c p = 1 modulo the generator's minimal polynomial, each coefficient a fraction free of the
+/// generator.
 std::vector<Fraction> inverse(const Polynomial& p, const NumberField::Generator& g) {
   const std::size_t degree = g.minimal.size() - 1;
   std::vector<std::vector<Fraction>> matrix(degree, std::vector<Fraction>(degree));
@@ -74,13 +75,13 @@ void NumberField::settle(Polynomial& numerator, Polynomial& denominator) const {
   numerator = reduced(std::move(numerator));
   if (!concerns(denominator)) return;
   denominator = reduced(std::move(denominator));
-  if (denominator.is_zero()) throw Undefined("a denominator vanishes for the algebraic numbers of the integrator");
+  if (denominator.is_zero())
+    throw Undefined("a denominator vanishes for the algebraic numbers of the integrator");
   for (const Generator& g : generators_) {
     if (!denominator.contains(g.letter)) continue;
     const std::vector<Fraction> factor = inverse(denominator, g);
     Polynomial common = 1;
-    for (const Fraction& f : factor)
-      common *= exact_quotient(f.denominator(), gcd(common, f.denominator()));
+    for (const Fraction& f : factor) common *= exact_quotient(f.denominator(), gcd(common, f.denominator()));
     std::vector<Polynomial> whole;
     for (const Fraction& f : factor) whole.push_back(f.numerator() * exact_quotient(common, f.denominator()));
     numerator = reduced(numerator * joined(whole, g.letter));

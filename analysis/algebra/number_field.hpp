@@ -11,11 +11,12 @@ namespace shortfall {
 /// reduced modulo their minimal polynomials, and no denominator contains them. So equality stays structural,
 /// and what is zero is seen to be zero.
 ///
-/// Fields may be nested; the innermost counts. A Fraction must be used within a field that has the generators of
-/// the one in which it was made.
+/// Fields may be nested; the innermost counts. A Fraction must be used within a field that has the generators
+/// of the one in which it was made.
 class NumberField {
  public:
-  /// A letter g with minimal polynomial sum of coefficients[k] g^k, irreducible over the field of those before it.
+  /// A letter g with minimal polynomial sum of coefficients[k] g^k, irreducible over the field of those
+  /// before it.
   struct Generator {
     Letter letter;
     std::vector<Rational> minimal;  ///< lowest power first, monic
@@ -40,8 +41,8 @@ class NumberField {
   /// Powers of the generators replaced by lower ones.
   Polynomial reduced(Polynomial p) const;
 
-  /// Reduces a quotient whose denominator is not 0; afterwards the denominator is free of the generators, and the
-  /// two need not be in lowest terms.
+  /// Reduces a quotient whose denominator is not 0; afterwards the denominator is free of the generators, and
+  /// the two need not be in lowest terms.
   ///
   /// throws  Undefined  when the denominator is zero in the field
   void settle(Polynomial& numerator, Polynomial& denominator) const;

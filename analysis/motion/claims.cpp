@@ -49,8 +49,8 @@ ClaimVerdict shortfall_verdict(const Program& program, const Claim& claim, const
   const bool of_position = claim.word == "shortfall";
   const Motion& exact = of_position ? exact_position(0) : exact_velocity(0);
   const Motion& found = of_position ? constant.position : constant.velocity;
-  const Motion claimed = evaluated(claim.value, formula_scalars(program, {}, constant.map.force.extras.get()), 0,
-                                  constant.map.force.extras.get());
+  const Motion claimed = evaluated(claim.value, formula_scalars(program, {}, constant.map.force.extras.get()),
+                                   0, constant.map.force.extras.get());
   const auto& oscillation =
       of_position ? constant.form.oscillation.position : constant.form.oscillation.velocity;
   bool oscillates = false;

@@ -41,8 +41,11 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
     throw BadInput("the degree of a force polynomial is a whole number from 0 to " +
                    std::to_string(kHighestDegree));
   if (degree > kHighestProved)
-    throw Unable("the closed form is proved for every n by comparing it, letter by letter, at degree + 3 steps, which costs about the cube of "
-                 "the degree; our limit is degree " + std::to_string(kHighestProved));
+    throw Unable(
+        "the closed form is proved for every n by comparing it, letter by letter, at degree + 3 steps, which "
+        "costs about the cube of "
+        "the degree; our limit is degree " +
+        std::to_string(kHighestProved));
   const Program stepped_program = substepped(program, substeps);
   const Tape tape = lower(stepped_program, given);
   Derivation d;
@@ -68,8 +71,7 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
   d.exact_velocity = formula(v, degree, w);
   d.shortfall_position = formula(d.shortfall_position_motion, degree, w);
   d.shortfall_velocity = formula(d.shortfall_velocity_motion, degree, w);
-  d.check = random_check(stepped_program, given, {}, d.map, d.form, 3,
-                         std::min(8, d.form.valid_from + 6));
+  d.check = random_check(stepped_program, given, {}, d.map, d.form, 3, std::min(8, d.form.valid_from + 6));
   d.assumptions = assumed(d);
   if (tell) d.steps = derivation_steps(d, !tape.finish.empty());
   return d;

@@ -68,7 +68,8 @@ class Evaluation {
     };
     if (!extras_) throw Unable("a formula of this kind calls no function; found '" + print(e) + "'");
     const Fraction a = argument(e->operands[0]);
-    return extras_->function(*function_named(e->name), a, e->operands.size() > 1 ? argument(e->operands[1]) : a);
+    return extras_->function(*function_named(e->name), a,
+                             e->operands.size() > 1 ? argument(e->operands[1]) : a);
   }
 
   Value of_name(const Expr& e) const {

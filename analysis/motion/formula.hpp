@@ -18,7 +18,8 @@ using FormulaScalars = std::map<std::string, Fraction>;
 /// throws  BadInput  for a value of an unknown parameter
 ///
 /// param   extras  of the step map with which the formula is compared: its roots and functions
-FormulaScalars formula_scalars(const Program& program, const Values& given = {}, ExtraLetters* extras = nullptr);
+FormulaScalars formula_scalars(const Program& program, const Values& given = {},
+                               ExtraLetters* extras = nullptr);
 
 /// A formula about n steps under x'' = f0 + f1 t + ... + fD t^D as a combination of x0, v0, f0..fD; `a` is
 /// f0.
@@ -29,6 +30,7 @@ FormulaScalars formula_scalars(const Program& program, const Values& given = {},
 ///
 /// param   formula  checked against formula_names
 /// throws  Undefined  where it divides by zero;  Unable  when it is no combination of this kind
-Motion evaluated(const Expr& formula, const FormulaScalars& scalars, int degree, ExtraLetters* extras = nullptr);
+Motion evaluated(const Expr& formula, const FormulaScalars& scalars, int degree,
+                 ExtraLetters* extras = nullptr);
 
 }  // namespace shortfall

@@ -158,8 +158,8 @@ LinearDerivation linear_derivation(const Program& program, const Force& force, c
   } else if (d.form.oscillation.order() == 2) {
     Wave(d).tell();
   }
-  d.check = random_check(stepped_program, given,
-                         {force.spring, force.damper, force.k, force.c}, d.map, d.form, 3, 12);
+  d.check = random_check(stepped_program, given, {force.spring, force.damper, force.k, force.c}, d.map,
+                         d.form, 3, 12);
   d.assumptions = {"every step has the same length h"};
   d.assumptions.insert(d.assumptions.end(), d.map.assumed.begin(), d.map.assumed.end());
   d.singular = singular_factors(d.map);

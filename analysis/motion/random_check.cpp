@@ -13,8 +13,8 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kDigits = 80;      // of the arithmetic
-constexpr int kAgreeing = 50;    // demanded of the result, after all cancellation
+constexpr int kDigits = 80;    // of the arithmetic
+constexpr int kAgreeing = 50;  // demanded of the result, after all cancellation
 
 template <class T>
 T powered(const T& base, int exponent) {
@@ -43,7 +43,8 @@ struct LetterValues {
   T of(const Fraction& f) const {
     if (f.is_polynomial()) return of(f.numerator());
     const T below = of(f.denominator());
-    if (below == round(0)) throw Undefined("the denominator of a fraction vanishes at the values of its letters");
+    if (below == round(0))
+      throw Undefined("the denominator of a fraction vanishes at the values of its letters");
     return of(f.numerator()) / below;
   }
 };
@@ -105,7 +106,8 @@ class Checking {
     for (const Tape::ParameterSlot& p : tape.parameters) letters.values.push_back(round_(values.at(p.name)));
     Numbers<T> problem{[&](const T& x, const T& v, const T& t) {
                          T f = round_(0);
-                         for (int i = form_.degree; i >= 0; --i) f = f * t + column[static_cast<std::size_t>(2 + i)];
+                         for (int i = form_.degree; i >= 0; --i)
+                           f = f * t + column[static_cast<std::size_t>(2 + i)];
                          return T(f - k * x - c * v);
                        },
                        round_};
@@ -121,7 +123,8 @@ class Checking {
       std::vector<T> sum(static_cast<std::size_t>(form_.oscillation.order()), round_(0));
       if (sum.empty()) return sum;
       for (std::size_t col = 0; col < column.size(); ++col)
-        for (std::size_t j = 0; j < sum.size(); ++j) sum[j] = sum[j] + letters.of(values[col][j]) * column[col];
+        for (std::size_t j = 0; j < sum.size(); ++j)
+          sum[j] = sum[j] + letters.of(values[col][j]) * column[col];
       return sum;
     };
     std::vector<T> rx = first(form_.oscillation.position);
@@ -163,8 +166,8 @@ class Checking {
 
 }  // namespace
 
-RandomCheck random_check(const Program& program, const Values& given, const RandomForce& force, const StepMap& map,
-                         const ClosedForm& form, int trials, int steps) {
+RandomCheck random_check(const Program& program, const Values& given, const RandomForce& force,
+                         const StepMap& map, const ClosedForm& form, int trials, int steps) {
   if (map.extras.empty())
     return Checking<Rational>(program, given, force, map, form, [](const Rational& r) { return r; })
         .check(trials, steps, 0);

@@ -27,9 +27,9 @@ struct RandomForce {
 /// Steps random numbers and holds a closed form against them: in rational numbers, or with 80 digits when the
 /// integrator has irrational coefficients, exp or pow.
 ///
-/// Parameters that are letters in the closed form have their defaults in the first trial, then numbers drawn from
-/// between 0 and 1.
-RandomCheck random_check(const Program& program, const Values& given, const RandomForce& force, const StepMap& map,
-                         const ClosedForm& form, int trials, int steps);
+/// Parameters that are letters in the closed form have their defaults in the first trial, then numbers drawn
+/// from between 0 and 1.
+RandomCheck random_check(const Program& program, const Values& given, const RandomForce& force,
+                         const StepMap& map, const ClosedForm& form, int trials, int steps);
 
 }  // namespace shortfall

@@ -22,9 +22,9 @@ struct StepMap {
   std::vector<LinearForm> step;      ///< their values after step n -> n + 1
   LinearForm position;               ///< what `finish` reports after n steps
   LinearForm velocity;
-  std::vector<ExtraLetters::Extra> extras;          ///< what the last letters stand for
+  std::vector<ExtraLetters::Extra> extras;         ///< what the last letters stand for
   std::vector<NumberField::Generator> generators;  ///< of the NumberField in which these forms are to be used
-  std::vector<std::string> assumed;                 ///< what the integrator's head assumes and was used
+  std::vector<std::string> assumed;                ///< what the integrator's head assumes and was used
 
   /// Coefficients of the carried vectors in `step`.
   std::vector<std::vector<Fraction>> matrix() const;

@@ -41,8 +41,8 @@ SquareFree square_free(std::int64_t whole) {
 
 Letter ExtraLetters::new_letter(std::string name) {
   if (static_cast<int>(names_.size()) >= kLetters)
-    throw Unable("symbolic answers carry at most " + std::to_string(kLetters) + " letters; there is none left for " +
-                 name);
+    throw Unable("symbolic answers carry at most " + std::to_string(kLetters) +
+                 " letters; there is none left for " + name);
   names_.push_back(std::move(name));
   return static_cast<Letter>(names_.size()) - 1;
 }
@@ -79,7 +79,8 @@ Fraction ExtraLetters::square_root_of_prime(const Rational& prime) {
                    " are related in a way that we cannot use");
     if (e.root->degree() > 2 && e.root->degree() % 2 == 0)
       throw Unable("the root '" + e.name + "' of even degree and " + name +
-                   " may be related; we compute with one root of degree above 2 and, if that is odd, with square roots");
+                   " may be related; we compute with one root of degree above 2 and, if that is odd, with "
+                   "square roots");
   }
   const RealRoot value = shortfall::square_root(RealRoot(prime));
   const Letter letter = new_letter(name);
@@ -114,7 +115,8 @@ Fraction ExtraLetters::root(const RealRoot& root, const std::string& name) {
     if (e.name == name && *e.root == root) return Fraction::letter(e.letter);
     if (e.root->degree() > 2 || root.degree() % 2 == 0)
       throw Unable("the roots '" + e.name + "' and '" + name +
-                   "' may be related; we compute with one root of degree above 2 and, if that is odd, with square roots");
+                   "' may be related; we compute with one root of degree above 2 and, if that is odd, with "
+                   "square roots");
   }
   const Letter letter = new_letter(name);
   adjoin({letter, name, std::make_shared<const RealRoot>(root), Function::sqrt, {}, {}});
@@ -144,10 +146,12 @@ int ExtraLetters::sign(const Fraction& difference, Function f) {
     return ratio.constant().sign();
   }
   if (difference.numerator().terms().size() == 1 && difference.is_polynomial() &&
-      difference / Fraction::letter(kStepLetter) == Fraction((difference / Fraction::letter(kStepLetter)).constant()))
+      difference / Fraction::letter(kStepLetter) ==
+          Fraction((difference / Fraction::letter(kStepLetter)).constant()))
     return (difference / Fraction::letter(kStepLetter)).constant().sign();
   throw Unable("which value of " + std::string(name_of(f)) + " is taken depends on the sign of " +
-               difference.str(names_) + "; say so in the integrator's head: assume " + difference.str(names_) + " > 0");
+               difference.str(names_) + "; say so in the integrator's head: assume " +
+               difference.str(names_) + " > 0");
 }
 
 Fraction ExtraLetters::function(Function f, const Fraction& a, const Fraction& b) {
@@ -158,7 +162,8 @@ Fraction ExtraLetters::function(Function f, const Fraction& a, const Fraction& b
       return sign(a - b, f) < 0 ? a : b;
     case Function::sqrt:
       if (!a.is_constant())
-        throw Unable("the square root of " + a.str(names_) + " has no formula of the kind that we compute with");
+        throw Unable("the square root of " + a.str(names_) +
+                     " has no formula of the kind that we compute with");
       return square_root(a.constant());
     case Function::exp:
       if (a.is_zero()) return 1;
@@ -177,7 +182,8 @@ Fraction ExtraLetters::function(Function f, const Fraction& a, const Fraction& b
       throw Unable("the function " + std::string(name_of(f)) + " does not stand in programs");
   }
   if (a.contains(kTimeLetter) || b.contains(kTimeLetter) || a.contains(kCount) || b.contains(kCount))
-    throw Unable(std::string(name_of(f)) + " of what changes from step to step has no closed form of this kind");
+    throw Unable(std::string(name_of(f)) +
+                 " of what changes from step to step has no closed form of this kind");
   const bool two = arity(f) == 2;
   for (const Extra& e : extras_)
     if (!e.root && e.function == f && e.a == a && (!two || e.b == b)) return Fraction::letter(e.letter);

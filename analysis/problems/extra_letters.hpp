@@ -15,13 +15,13 @@ namespace shortfall {
 /// Letters that a run in letters takes on its way, for what is no rational function of the others: roots of
 /// polynomials, square roots of rational numbers, exp and pow.
 ///
-/// Roots and square roots are generators of the NumberField that must be open while they are used; exp and pow are
-/// free letters: what is proved with them holds for every value of them.
+/// Roots and square roots are generators of the NumberField that must be open while they are used; exp and
+/// pow are free letters: what is proved with them holds for every value of them.
 class ExtraLetters {
  public:
   struct Extra {
     Letter letter;
-    std::string name;                      ///< as an expression of the language: "theta", "sqrt(2)", "exp(-c*h)"
+    std::string name;  ///< as an expression of the language: "theta", "sqrt(2)", "exp(-c*h)"
     std::shared_ptr<const RealRoot> root;  ///< what it is, for an algebraic one
     Function function = Function::exp;     ///< for the others: function(a, b)
     Fraction a;

@@ -18,8 +18,8 @@ inline constexpr Letter kStiffness = 3;   ///< k, of a spring: a = -k x
 inline constexpr Letter kDamping = 4;     ///< c, of a damper: a = -c v
 inline constexpr Letter kFirstParameter = 5;
 
-/// What each letter is called for an integrator. The force's k or c is called k_force, c_force when a parameter has
-/// its name.
+/// What each letter is called for an integrator. The force's k or c is called k_force, c_force when a
+/// parameter has its name.
 ///
 /// throws  Unable  when it has more free parameters than there are letters
 std::vector<std::string> letter_names(const Tape& tape);

@@ -20,10 +20,10 @@ struct LinearForce {
   using Scalar = Fraction;
   using Vector = LinearForm;
 
-  int states = 2;      ///< how many carried vectors the integrator has
-  int degree = 0;      ///< D, of the force polynomial; -1 for no such force
-  Fraction stiffness;  ///< k; 0 for none
-  Fraction damping;    ///< c; 0 for none
+  int states = 2;                                  ///< how many carried vectors the integrator has
+  int degree = 0;                                  ///< D, of the force polynomial; -1 for no such force
+  Fraction stiffness;                              ///< k; 0 for none
+  Fraction damping;                                ///< c; 0 for none
   std::shared_ptr<ExtraLetters> extras = nullptr;  ///< for programs with roots and functions
 
   int force_column(int d) const { return states + d; }
@@ -43,7 +43,9 @@ struct LinearForce {
   Vector shortened(const Vector& v, const Vector&, const Scalar&) const { return v; }
   Scalar function(Function f, const Scalar& a, const Scalar& b) const { return extras->function(f, a, b); }
   Scalar root(const RealRoot& root, const std::string& name) const { return extras->root(root, name); }
-  void assume(Scalar positive, std::string text) const { extras->assume(std::move(positive), std::move(text)); }
+  void assume(Scalar positive, std::string text) const {
+    extras->assume(std::move(positive), std::move(text));
+  }
 
   /// The unknowns get columns of their own and are eliminated exactly.
   ///

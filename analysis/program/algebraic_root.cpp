@@ -22,8 +22,8 @@ class PolynomialIn {
         return Univariate<Rational>({e->value});
       case Op::name:
         if (e->name != name_)
-          throw in_.error(e->place, "the equation of the root '" + name_ + "' is made of numbers and '" + name_ +
-                                        "'; found '" + e->name + "'");
+          throw in_.error(e->place, "the equation of the root '" + name_ + "' is made of numbers and '" +
+                                        name_ + "'; found '" + e->name + "'");
         return Univariate<Rational>({Rational(0), Rational(1)});
       case Op::negate:
         return -of(e->operands[0]);
@@ -36,15 +36,17 @@ class PolynomialIn {
       case Op::divide: {
         const Univariate<Rational> below = of(e->operands[1]);
         if (below.is_zero()) throw in_.error(e->place, "division by zero");
-        if (below.degree() > 0) throw in_.error(e->place, "the equation of a root does not divide by the root");
+        if (below.degree() > 0)
+          throw in_.error(e->place, "the equation of a root does not divide by the root");
         return of(e->operands[0]) * Univariate<Rational>({Rational(1) / below[0]});
       }
       case Op::power: {
         std::int64_t exponent = 0;
         if (e->operands[1]->op != Op::number || !e->operands[1]->value.fits_int64(exponent) || exponent < 0 ||
             exponent > kHighestRootDegree)
-          throw in_.error(beginning(e->operands[1]), "an exponent in the equation of a root is a whole number from 0 to " +
-                                                         std::to_string(kHighestRootDegree));
+          throw in_.error(beginning(e->operands[1]),
+                          "an exponent in the equation of a root is a whole number from 0 to " +
+                              std::to_string(kHighestRootDegree));
         const Univariate<Rational> base = of(e->operands[0]);
         Univariate<Rational> result({Rational(1)});
         for (std::int64_t k = 0; k < exponent; ++k) result = limited(e, result * base);
@@ -61,9 +63,11 @@ class PolynomialIn {
  private:
   Univariate<Rational> limited(const Expr& e, Univariate<Rational> p) const {
     if (p.degree() > kHighestRootDegree)
-      throw in_.error(e->place, "the equation of a root has at most degree " + std::to_string(kHighestRootDegree));
+      throw in_.error(e->place,
+                      "the equation of a root has at most degree " + std::to_string(kHighestRootDegree));
     for (const Rational& c : p.coefficients())
-      if (c.digits() > 1000) throw in_.error(e->place, "a coefficient of the equation has more than 1000 digits");
+      if (c.digits() > 1000)
+        throw in_.error(e->place, "a coefficient of the equation has more than 1000 digits");
     return p;
   }
 
@@ -88,7 +92,8 @@ bool nearer(const RealRoot& a, const RealRoot& b, const Rational& near) {
 std::shared_ptr<const RealRoot> chosen_root(const Root& root, const TokenReader& in) {
   const PolynomialIn side(root.name, in);
   const Univariate<Rational> p = side.of(root.left) - side.of(root.right);
-  if (p.is_zero()) throw in.error(root.place, "every number solves the equation of the root '" + root.name + "'");
+  if (p.is_zero())
+    throw in.error(root.place, "every number solves the equation of the root '" + root.name + "'");
   const std::vector<RealRoot> solutions = p.degree() < 1 ? std::vector<RealRoot>() : real_roots(p);
   if (solutions.empty())
     throw in.error(root.place, "the equation of the root '" + root.name + "' has no real solution");

@@ -107,7 +107,8 @@ class Checker {
       const Type left = type_of(a.left, names, source_);
       const Type right = type_of(a.right, names, source_);
       if (!left.zero && !right.zero && !left.same_as(right))
-        throw source_.error(a.place, "an assumption compares like with like, not " + left.str() + " with " + right.str());
+        throw source_.error(
+            a.place, "an assumption compares like with like, not " + left.str() + " with " + right.str());
     }
   }
 
@@ -222,7 +223,8 @@ class Checker {
     const Judgement size = judged(s.value, names, source_);
     const Type wanted = kScalar(length ? kLength : kVelocity);
     if (size.value && size.value->sign() <= 0)
-      throw source_.error(beginning(s.value), std::string("a ") + (length ? "length" : "speed") + " above 0 is expected here");
+      throw source_.error(beginning(s.value),
+                          std::string("a ") + (length ? "length" : "speed") + " above 0 is expected here");
     if (!size.value && !size.type.same_as(wanted))
       throw source_.error(beginning(s.value), "expected a " + wanted.str() + ", found a " + size.type.str());
   }
@@ -236,7 +238,8 @@ class Checker {
     if (program_.parameter(name)) why = "; it is a parameter";
     if (program_.impulse && program_.impulse->name == name) why = "; it is the impulse";
     if (std::ranges::find(program_.roots, name, &Root::name) != program_.roots.end()) why = "; it is a root";
-    if (std::ranges::find(program_.approximations, name, &Approximation::name) != program_.approximations.end())
+    if (std::ranges::find(program_.approximations, name, &Approximation::name) !=
+        program_.approximations.end())
       why = "; it is a coefficient";
     if (why) throw source_.error(place, "'" + name + "' cannot be assigned" + why);
   }
@@ -318,7 +321,8 @@ class Checker {
     }
     const Type type = type_of(claim.value, names, source_);
     if (!type.zero && !type.same_as(kScalar(kPure)))
-      throw source_.error(beginning(claim.value), "a " + claim.word + " is a " + kScalar(kPure).str() + ", found a " + type.str());
+      throw source_.error(beginning(claim.value),
+                          "a " + claim.word + " is a " + kScalar(kPure).str() + ", found a " + type.str());
   }
 
   const Program& program_;

@@ -54,7 +54,8 @@ std::optional<Rational> literal_value(const Expr& e) {
       return right->is_zero() ? std::nullopt : std::optional(*left / *right);
     default: {
       std::int64_t exponent = 0;
-      if (!right->fits_int64(exponent) || std::abs(exponent) > 1000 || (left->is_zero() && exponent < 0)) return {};
+      if (!right->fits_int64(exponent) || std::abs(exponent) > 1000 || (left->is_zero() && exponent < 0))
+        return {};
       return left->pow(static_cast<int>(exponent));
     }
   }

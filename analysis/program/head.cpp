@@ -49,18 +49,22 @@ void read_root(Program& program, TokenReader& in) {
 
 void read_approximation(Program& program, TokenReader& in) {
   const Token name = in.expect_name("the name of a coefficient");
-  if (!in.at("=")) throw in.error("a coefficient known to some digits is written: approx " + name.text + " = 0.1786178958448091");
+  if (!in.at("="))
+    throw in.error("a coefficient known to some digits is written: approx " + name.text +
+                   " = 0.1786178958448091");
   in.take();
   const auto decimal = in.signed_number("a decimal, with all the digits that are known");
   if (decimal.text.find('.') == std::string::npos)
-    throw in.error(decimal.place, "the number is exact; approx takes a decimal with the digits that are known");
+    throw in.error(decimal.place,
+                   "the number is exact; approx takes a decimal with the digits that are known");
   in.expect_end("the decimal");
   program.approximations.push_back({name.text, decimal.value, decimal.text, name.place});
 }
 
 void read_impulse(Program& program, TokenReader& in) {
   const Token name = in.expect_name("the name of the impulse");
-  if (program.impulse) throw in.error(name.place, "there is already an impulse, '" + program.impulse->name + "'");
+  if (program.impulse)
+    throw in.error(name.place, "there is already an impulse, '" + program.impulse->name + "'");
   if (!in.take_if(":")) throw in.error("an impulse is divided by the mass: impulse " + name.text + " : L/T");
   const Place place = in.peek().place;
   const Dimension dimension = in.dimension();
@@ -84,8 +88,8 @@ void read_assumption(Program& program, TokenReader& in, Place place) {
 }  // namespace
 
 const std::vector<std::string>& head_words() {
-  static const std::vector<std::string> words{"alias",   "source", "param",  "root",  "approx",
-                                              "state",   "impulse", "hold",  "assume", "solves"};
+  static const std::vector<std::string> words{"alias", "source",  "param", "root",   "approx",
+                                              "state", "impulse", "hold",  "assume", "solves"};
   return words;
 }
 

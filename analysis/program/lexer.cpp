@@ -124,8 +124,8 @@ bool opens_block(const std::string& line) {
   if (begin == std::string::npos) return false;
   const std::size_t end = line.find_first_of(" \t#", begin);
   const std::string word = line.substr(begin, end == std::string::npos ? end : end - begin);
-  return word == "start" || word == "step" || word == "finish" || word == "tableau" ||
-         word == "splitting" || word == "expect";
+  return word == "start" || word == "step" || word == "finish" || word == "tableau" || word == "splitting" ||
+         word == "expect";
 }
 
 /// Refuses a parenthesis that is never closed, before anything in the lines below it can be taken for the

@@ -7,6 +7,7 @@
 
 #include "analysis/program/head.hpp"
 #include "analysis/program/splitting.hpp"
+#include "analysis/program/statement_reader.hpp"
 #include "analysis/program/suggest.hpp"
 #include "analysis/program/tableau.hpp"
 #include "analysis/program/token_reader.hpp"
@@ -21,8 +22,8 @@ const std::vector<std::string>& block_words() {
   return words;
 }
 const std::vector<std::string>& claim_words() {
-  static const std::vector<std::string> words{"exact",       "shortfall", "shortfall-velocity", "trace",
-                                              "determinant", "limit"};
+  static const std::vector<std::string> words{"exact", "shortfall",   "shortfall-velocity",
+                                              "trace", "determinant", "limit"};
   return words;
 }
 
@@ -39,12 +40,13 @@ class FileParser {
 
   Program parsed() {
     while (next_line()) read_line();
-    if (!opened_.empty())
-      throw source_.error(opened_.back().place, "this " + opened_.back().word + " { is never closed");
+    if (const auto* open = statements_.open())
+      throw source_.error(open->place, "this " + open->word + " { is never closed");
     if (program_.name.empty()) throw source_.error({1, 1}, "an integrator file begins with: integrator NAME");
     if (!seen_.contains("step") && !program_.tableau && !program_.splitting)
       throw source_.error({source_.line_count(), 1}, "the integrator has no step (and no tableau)");
-    if (seen_.contains("step") && program_.step.empty()) throw source_.error(step_, "the step block is empty");
+    if (seen_.contains("step") && program_.step.empty())
+      throw source_.error(step_, "the step block is empty");
     if (program_.tableau) lower_tableau(program_, source_);
     if (program_.splitting) lower_splitting(program_, source_);
     check(program_, source_);
@@ -117,7 +119,7 @@ class FileParser {
     if (block_ == "tableau") return read_row(first);
     if (block_ == "splitting") return read_part(first);
     if (block_ == "expect") return read_claim(first);
-    read_statement(*statements_.back(), first);
+    read_statement(first);
   }
 
   bool next_is_equals(const std::string& first) const {
@@ -182,16 +184,16 @@ class FileParser {
   }
 
   void open_block(const std::string& block) {
-    if (!opened_.empty())
-      throw source_.error(opened_.back().place,
-                          "this " + opened_.back().word + " { is not closed before '" + block + "'");
+    if (const auto* open = statements_.open())
+      throw source_.error(open->place, "this " + open->word + " { is not closed before '" + block + "'");
     if (!seen_.insert(block).second) throw error("there is already a " + block + " block");
     if ((block == "tableau" || block == "splitting") && seen_.contains("step"))
       throw error("an integrator has a step or a " + block + ", not both");
     if (block == "step" && (seen_.contains("tableau") || seen_.contains("splitting")))
       throw error(seen_.contains("tableau") ? "an integrator has a step or a tableau, not both"
                                             : "an integrator has a step or a splitting, not both");
-    if ((block == "tableau" && seen_.contains("splitting")) || (block == "splitting" && seen_.contains("tableau")))
+    if ((block == "tableau" && seen_.contains("splitting")) ||
+        (block == "splitting" && seen_.contains("tableau")))
       throw error("an integrator has a tableau or a splitting, not both");
     const Place place = here();
     skip(block.size());
@@ -199,10 +201,9 @@ class FileParser {
       throw error("'" + block + "' stands alone on its line; what belongs to it follows below");
     block_ = block;
     if (block == "step") step_ = place;
-    statements_.clear();
-    if (block == "start") statements_.push_back(&program_.start);
-    if (block == "step") statements_.push_back(&program_.step);
-    if (block == "finish") statements_.push_back(&program_.finish);
+    if (block == "start") statements_.begin(program_.start, false);
+    if (block == "step") statements_.begin(program_.step, true);
+    if (block == "finish") statements_.begin(program_.finish, false);
     if (block == "tableau") {
       program_.tableau.emplace();
       program_.tableau->place = place;
@@ -213,118 +214,24 @@ class FileParser {
     }
   }
 
-  void read_statement(std::vector<Statement>& block, const std::string& first) {
-    if (is_one_of(first, claim_words()) && !next_is_equals(first) && !(first == "limit" && block_ == "step"))
+  void read_statement(const std::string& first) {
+    const bool assigned = next_is_equals(first);
+    if (is_one_of(first, claim_words()) && !assigned && !(first == "limit" && block_ == "step"))
       throw error("'" + first + "' is a claim and stands in an expect block");
     TokenReader in = reader();
-    if (in.at("}")) return close_braces(in);
-    if (!next_is_equals(first)) {
-      if (first == "solve") return read_solve(block, in);
-      if (first == "substeps") return open_substeps(block, in);
-      if (first == "when") return open_when(block, in);
-      if (first == "limit") return read_limit(block, in);
+    if (in.peek().kind == Token::Kind::name && !assigned && !nearest(first, block_words()).empty()) {
+      TokenReader ahead = in;
+      ahead.take();
+      if (ahead.at_end()) throw error("unknown word '" + first + "'" + did_you_mean(first, block_words()));
     }
-    const Token name = in.expect_name("a statement NAME = EXPRESSION");
-    if (in.at_end() && !nearest(name.text, block_words()).empty())
-      throw error("unknown word '" + name.text + "'" + did_you_mean(name.text, block_words()));
-    for (const char* sign : {"+", "-", "*", "/"})
-      if (in.at(sign)) {
-        in.take();
-        if (in.at("="))
-          throw in.error("write it out: " + name.text + " = " + name.text + " " + sign + " ...");
-        throw in.error("expected '=' after '" + name.text + "', found '" + sign + "'");
-      }
-    in.expect("=", "after '" + name.text + "'");
-    if (in.at("=")) throw in.error("an assignment is written with one =");
-    Statement s;
-    s.name = name.text;
-    s.place = name.place;
-    s.value = in.expression();
-    in.expect_end("the statement");
-    block.push_back(std::move(s));
-  }
-
-  void read_solve(std::vector<Statement>& block, TokenReader& in) {
-    Statement s;
-    s.kind = Statement::Kind::solve;
-    s.place = in.take().place;
-    do {
-      const Token name = in.expect_name("the name of the unknown after solve");
-      if (!in.at(":")) {
-        const bool first = s.unknowns.empty();
-        throw in.error((first ? "an unknown has a dimension: solve " : "after & stands another unknown: ") +
-                       name.text + " : L/T^2 = ...");
-      }
-      in.take();
-      const Dimension dimension = in.dimension();
-      in.expect("=", "after the dimension");
-      s.unknowns.push_back({name.text, dimension, in.expression(), name.place});
-    } while (in.take_if("&"));
-    in.expect_end("the solve");
-    block.push_back(std::move(s));
-  }
-
-  void open_substeps(std::vector<Statement>& block, TokenReader& in) {
-    for (const Opened& outer : opened_)
-      throw in.error(outer.word == "when" ? "substeps cannot stand inside when"
-                                          : "substeps cannot stand inside substeps");
-    if (block_ != "step") throw in.error("substeps stands in the step block");
-    Statement s;
-    s.kind = Statement::Kind::substeps;
-    s.place = in.take().place;
-    s.value = in.expression();
-    open_braces(block, std::move(s), in, "after the number of substeps");
-  }
-
-  /// when speed > S {
-  void open_when(std::vector<Statement>& block, TokenReader& in) {
-    if (!opened_.empty() && opened_.back().word == "when") throw in.error("when cannot stand inside when");
-    if (block_ != "step") throw in.error("when stands in the step block");
-    Statement s;
-    s.kind = Statement::Kind::when;
-    s.place = in.take().place;
-    if (in.peek().text != "speed") throw in.error("what when compares is the speed: when speed > 0.01 {");
-    in.take();
-    in.expect(">", "after 'when speed'");
-    s.value = in.expression();
-    open_braces(block, std::move(s), in, "after the speed");
-  }
-
-  void read_limit(std::vector<Statement>& block, TokenReader& in) {
-    if (block_ != "step") throw in.error("limit stands in the step block");
-    Statement s;
-    s.place = in.take().place;
-    const std::string& what = in.peek().text;
-    if (what != "speed" && what != "move")
-      throw in.error("what is limited is the speed or the move of a step: limit speed 500, limit move 2");
-    s.kind = what == "speed" ? Statement::Kind::limit_speed : Statement::Kind::limit_move;
-    in.take();
-    s.value = in.expression();
-    in.expect_end("the limit");
-    block.push_back(std::move(s));
-  }
-
-  void open_braces(std::vector<Statement>& block, Statement s, TokenReader& in, const std::string& where) {
-    in.expect("{", where);
-    const std::string word = s.kind == Statement::Kind::when ? "when" : "substeps";
-    opened_.push_back({s.place, word});
-    block.push_back(std::move(s));
-    statements_.push_back(&block.back().body);
-    if (!in.at_end()) throw in.error("what follows '{' stands on lines of its own");
-  }
-
-  void close_braces(TokenReader& in) {
-    if (opened_.empty()) throw in.error("this } closes nothing");
-    in.take();
-    in.expect_end("'}'");
-    statements_.pop_back();
-    opened_.pop_back();
+    statements_.read(in, assigned ? "" : first);
   }
 
   void read_part(const std::string& first) {
     const Place place = here();
     if (first != "kick" && first != "drift")
-      throw error("a splitting holds rows such as: kick 1/2, drift 1" + did_you_mean(first, {"kick", "drift"}));
+      throw error("a splitting holds rows such as: kick 1/2, drift 1" +
+                  did_you_mean(first, {"kick", "drift"}));
     skip(first.size());
     TokenReader in = reader();
     read_splitting_row(*program_.splitting, first, in, place);
@@ -354,12 +261,7 @@ class FileParser {
   Program program_;
   std::set<std::string> seen_;
   std::string block_;
-  std::vector<std::vector<Statement>*> statements_;
-  struct Opened {
-    Place place;
-    std::string word;
-  };
-  std::vector<Opened> opened_;  ///< braces that are open
+  StatementReader statements_;
   Place step_;
   int line_ = 0;
   std::size_t byte_ = 0;

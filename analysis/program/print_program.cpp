@@ -35,8 +35,8 @@ std::string statements(const std::vector<Statement>& block, const std::string& i
                 print_decimals(s.value) + "\n";
         break;
       case Statement::Kind::when:
-        text += indent + "when speed > " + print_decimals(s.value) + " {\n" + statements(s.body, indent + "  ") +
-                indent + "}\n";
+        text += indent + "when speed > " + print_decimals(s.value) + " {\n" +
+                statements(s.body, indent + "  ") + indent + "}\n";
         break;
     }
   }
@@ -124,7 +124,8 @@ bool same_declarations(const Program& a, const Program& b) {
       a.impulse && b.impulse ? a.impulse->name == b.impulse->name : !a.impulse && !b.impulse;
   return std::ranges::equal(a.roots, b.roots, same_root) &&
          std::ranges::equal(a.approximations, b.approximations, same_approximation) && same_impulse &&
-         a.holds_force == b.holds_force && std::ranges::equal(a.assumptions, b.assumptions, same_assumption) &&
+         a.holds_force == b.holds_force &&
+         std::ranges::equal(a.assumptions, b.assumptions, same_assumption) &&
          (a.solves && b.solves ? same(a.solves, b.solves) : !a.solves && !b.solves);
 }
 

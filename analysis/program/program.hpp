@@ -115,10 +115,10 @@ struct Program {
   std::vector<Root> roots;
   std::vector<Approximation> approximations;
   std::vector<State> states;
-  std::optional<State> impulse;          ///< acts in the first step, zero in every other
-  bool holds_force = false;              ///< the force is evaluated once a step, at its beginning
+  std::optional<State> impulse;  ///< acts in the first step, zero in every other
+  bool holds_force = false;      ///< the force is evaluated once a step, at its beginning
   std::vector<Assumption> assumptions;
-  Expr solves;                           ///< the acceleration that is meant when it is not a(x, v, t); or null
+  Expr solves;  ///< the acceleration that is meant when it is not a(x, v, t); or null
   std::vector<Statement> start;
   std::vector<Statement> step;
   std::vector<Statement> finish;

@@ -27,9 +27,10 @@ namespace shortfall {
 ///   Scalar root(const RealRoot&, const std::string& name)
 ///   bool longer(const Vector& measured, const Scalar& size, bool assumed)
 ///   Vector shortened(const Vector& v, const Vector& measured, const Scalar& size)
-/// where the unknowns of `solve` hold a first guess, then satisfy unknowns = f(unknowns); `longer` compares a length with a size, and returns
-/// what is assumed where lengths have no values (a problem that can use the head's assumptions has
-/// assume(Scalar positive, std::string) too); `shortened` is v scaled by size over the length of what is measured.
+/// where the unknowns of `solve` hold a first guess, then satisfy unknowns = f(unknowns); `longer` compares a
+/// length with a size, and returns what is assumed where lengths have no values (a problem that can use the
+/// head's assumptions has assume(Scalar positive, std::string) too); `shortened` is v scaled by size over the
+/// length of what is measured.
 template <class Problem>
 class Run {
  public:

@@ -28,16 +28,21 @@ void lower_splitting(Program& program, const Source& source) {
   const Splitting& splitting = *program.splitting;
   if (splitting.parts.empty()) throw source.error(splitting.place, "the splitting has no rows");
   if (splitting.parts.size() > kMostParts)
-    throw source.error(splitting.place, "the splitting has more than " + std::to_string(kMostParts) + " rows");
+    throw source.error(splitting.place,
+                       "the splitting has more than " + std::to_string(kMostParts) + " rows");
   // The part of the step that the drifts have covered: a number as long as the weights are, otherwise a sum.
   Rational number_part;
   Expr other_part;
   for (const auto& [kick, weight, place] : splitting.parts) {
     if (!kick) {
-      program.step.push_back({Statement::Kind::assign, "x",
-                              binary(Op::add, name("x", place),
-                                     binary(Op::multiply, times_step(weight, place), name("v", place), place), place),
-                              {}, {}, place});
+      program.step.push_back(
+          {Statement::Kind::assign,
+           "x",
+           binary(Op::add, name("x", place),
+                  binary(Op::multiply, times_step(weight, place), name("v", place), place), place),
+           {},
+           {},
+           place});
       if (const auto value = literal_value(weight))
         number_part += *value;
       else
@@ -53,10 +58,14 @@ void lower_splitting(Program& program, const Source& source) {
                           ? name("t", place)
                           : binary(Op::add, name("t", place), times_step(covered, place), place);
     const Expr acceleration = force(name("x", place), name("v", place), time, place);
-    program.step.push_back({Statement::Kind::assign, "v",
-                            binary(Op::add, name("v", place),
-                                   binary(Op::multiply, times_step(weight, place), acceleration, place), place),
-                            {}, {}, place});
+    program.step.push_back(
+        {Statement::Kind::assign,
+         "v",
+         binary(Op::add, name("v", place),
+                binary(Op::multiply, times_step(weight, place), acceleration, place), place),
+         {},
+         {},
+         place});
   }
 }
 

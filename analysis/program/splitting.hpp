@@ -14,8 +14,8 @@ namespace shortfall {
 /// throws  SyntaxError
 void read_splitting_row(Splitting& splitting, const std::string& word, TokenReader& in, Place place);
 
-/// Turns the program's splitting into its step: a kick E is v = v + E*h*a(x, v, t + ...), a drift E is x = x + E*h*v; time advances
-/// with the drifts.
+/// Turns the program's splitting into its step: a kick E is v = v + E*h*a(x, v, t + ...), a drift E is x = x
+/// + E*h*v; time advances with the drifts.
 ///
 /// throws  SyntaxError
 void lower_splitting(Program& program, const Source& source);

@@ -321,7 +321,8 @@ class Lowering {
 
   void limit(const Statement& s) {
     const bool move = s.kind == Statement::Kind::limit_move;
-    tape_.limits.push_back({move, scalar(s.value), (move ? "limit move " : "limit speed ") + print_decimals(s.value)});
+    tape_.limits.push_back(
+        {move, scalar(s.value), (move ? "limit move " : "limit speed ") + print_decimals(s.value)});
     emit(Kind::limit, 0, static_cast<int>(tape_.limits.size()) - 1);
   }
 

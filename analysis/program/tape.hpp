@@ -65,8 +65,8 @@ struct Tape {
   };
   /// v is scaled down to a size that it (or h v) must not exceed.
   struct Limit {
-    bool move;  ///< h v is measured; otherwise v
-    int size;   ///< scalar register
+    bool move;         ///< h v is measured; otherwise v
+    int size;          ///< scalar register
     std::string text;  ///< "limit speed 500"
   };
   /// What is done only when v is faster than a speed.

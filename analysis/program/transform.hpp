@@ -10,8 +10,8 @@ namespace shortfall {
 /// throws  BadInput  when count is not from 1 to 10000
 Program substepped(const Program& program, int count);
 
-/// The integrator as closed forms take it, in plain statements: no limit acts, every `when` holds, no impulse is
-/// given, a force that is held has a name.
+/// The integrator as closed forms take it, in plain statements: no limit acts, every `when` holds, no impulse
+/// is given, a force that is held has a name.
 Program undisturbed(const Program& program);
 
 }  // namespace shortfall

@@ -186,10 +186,10 @@ class Typing {
     const bool allowed = names_.functions == Functions::all ||
                          (names_.functions == Functions::of_programs && stands_in_programs(f));
     if (!allowed)
-      throw source_.error(e->place, names_.functions == Functions::none
-                                        ? "the function '" + e->name + "' cannot be called here"
-                                        : "there is no function '" + e->name +
-                                              "' here; there are sqrt, exp, pow, max, min");
+      throw source_.error(
+          e->place, names_.functions == Functions::none
+                        ? "the function '" + e->name + "' cannot be called here"
+                        : "there is no function '" + e->name + "' here; there are sqrt, exp, pow, max, min");
     std::vector<Judgement> given;
     int growth = 1;
     for (const Expr& operand : e->operands) {

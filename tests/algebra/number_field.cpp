@@ -13,8 +13,8 @@ using namespace shortfall;
 namespace {
 
 constexpr Letter kX = 0, kTheta = 3, kRoot = 4;
-const NumberField::Generator kCubeRoot{kTheta, {-2, 0, 0, 1}};    // theta^3 = 2
-const NumberField::Generator kSquareRoot{kRoot, {-3, 0, 1}};      // r^2 = 3
+const NumberField::Generator kCubeRoot{kTheta, {-2, 0, 0, 1}};  // theta^3 = 2
+const NumberField::Generator kSquareRoot{kRoot, {-3, 0, 1}};    // r^2 = 3
 const NumberField::Generator kForestRuth{kTheta, {Rational(-1, 6), 1, -2, 1}};
 
 Fraction random_element(std::mt19937& random) {
@@ -72,7 +72,8 @@ TEST_CASE("the laws of a field hold for random elements of Q(x, cube root of 2, 
 TEST_CASE("what is zero for the root only is zero, and cannot be divided by") {
   const NumberField field({kForestRuth});
   const Fraction theta = Fraction::letter(kTheta);
-  const Fraction zero = Fraction(6) * theta.pow(3) - Fraction(12) * theta.pow(2) + Fraction(6) * theta - Fraction(1);
+  const Fraction zero =
+      Fraction(6) * theta.pow(3) - Fraction(12) * theta.pow(2) + Fraction(6) * theta - Fraction(1);
   CHECK(zero.is_zero());
   CHECK_THROWS_AS(Fraction(1) / zero, Undefined);
   // 1/theta from the polynomial itself: theta (6 theta^2 - 12 theta + 6) = 1.

@@ -42,7 +42,9 @@ struct EngineWorld {
   }
 
   Scalar function(Function f, Scalar a, Scalar b) const { return value_of(f, a, b); }
-  Scalar root(const RealRoot&, const std::string&) const { throw Unable("an engine's frame has no irrational coefficients"); }
+  Scalar root(const RealRoot&, const std::string&) const {
+    throw Unable("an engine's frame has no irrational coefficients");
+  }
   bool longer(const Vector& measured, Scalar size, bool) const { return norm(measured) > size; }
   Vector shortened(const Vector& v, const Vector& measured, Scalar size) const {
     return size / norm(measured) * v;
