@@ -2,8 +2,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "analysis/motion/claims.hpp"
 #include "analysis/program/print.hpp"
+#include "analysis/stability/stability_claims.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 
@@ -13,7 +13,7 @@ namespace {
 
 int show(const Question& q) {
   const Program program = q.program();
-  const std::vector<ClaimVerdict> verdicts = claims(program);
+  const std::vector<ClaimVerdict> verdicts = all_claims(program);
   bool all_hold = true;
   for (const ClaimVerdict& v : verdicts) all_hold = all_hold && v.holds;
   if (q.json) {

@@ -100,13 +100,14 @@ ClaimVerdict exact_verdict(const Program& program, const Claim& claim) {
 
 std::vector<ClaimVerdict> claims(const Program& program) {
   std::vector<ClaimVerdict> verdicts;
-  const bool about_constant_force =
-      std::ranges::any_of(program.claims, [](const Claim& c) { return c.word != "exact"; });
+  const auto about_shortfall = [](const Claim& c) { return c.word.starts_with("shortfall"); };
+  const bool about_constant_force = std::ranges::any_of(program.claims, about_shortfall);
   std::optional<Shortfall> constant;
   if (about_constant_force) constant.emplace(program, 0);
-  for (const Claim& claim : program.claims)
-    verdicts.push_back(claim.word == "exact" ? exact_verdict(program, claim)
-                                             : shortfall_verdict(program, claim, *constant));
+  for (const Claim& claim : program.claims) {
+    if (claim.word == "exact") verdicts.push_back(exact_verdict(program, claim));
+    if (about_shortfall(claim)) verdicts.push_back(shortfall_verdict(program, claim, *constant));
+  }
   return verdicts;
 }
 

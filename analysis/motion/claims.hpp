@@ -15,7 +15,8 @@ struct ClaimVerdict {
   std::string found;  ///< what is true instead, in the same words: "shortfall a*h*t/2"
 };
 
-/// Proves or refutes every claim of an integrator, its parameters kept as letters.
+/// Proves or refutes the claims about forces that are polynomials in time (exact, shortfall, shortfall-velocity), parameters kept as
+/// letters. Those about the oscillator: stability_claims.hpp.
 ///
 /// throws  Unable  when there is no closed form to hold them against;  Undefined  when a stage is singular
 std::vector<ClaimVerdict> claims(const Program& program);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/stability/amplification.hpp"
 
+#include <algorithm>
+
 #include "analysis/motion/step_map.hpp"
 #include "analysis/problems/letters.hpp"
 
@@ -82,7 +84,19 @@ Amplification amplification(SquareMatrix<Fraction> matrix, std::vector<std::stri
 
 Amplification amplification(const Program& program, const Values& given, Damping damping) {
   const Fraction c = damping == Damping::viscous ? Fraction::letter(kDamping) : Fraction();
-  const StepMap map = step_map(lower(program, given), -1, Fraction::letter(kStiffness), c);
+  const auto is_number = [](const ExtraLetters::Extra& e) { return e.root != nullptr; };
+  StepMap map = step_map(lower(program, given), -1, Fraction::letter(kStiffness), c);
+  // exp and pow of parameters are no rational functions; of the parameters' values they may be numbers.
+  if (!std::ranges::all_of(map.extras, is_number))
+    map = step_map(lower(program, parameter_values(program, given)), -1, Fraction::letter(kStiffness), c);
+  std::vector<AlgebraicLetter> algebraic;
+  for (const ExtraLetters::Extra& e : map.extras) {
+    if (!e.root)
+      throw Unable("the step of " + program.name + " contains " + e.name +
+                   ", which is no rational function of the step");
+    algebraic.push_back({e.letter, *e.root});
+  }
+  const NumberField field(map.generators);
   SquareMatrix<Fraction> matrix;
   for (auto& row : map.matrix()) {
     matrix.emplace_back();
@@ -92,7 +106,7 @@ Amplification amplification(const Program& program, const Values& given, Damping
       matrix.back().push_back(f.substitute(kStepLetter, Fraction(1)));
     }
   }
-  return amplification(std::move(matrix), map.letters, map.states);
+  return amplification(std::move(matrix), map.letters, map.states, std::move(algebraic));
 }
 
 Amplification repeated(const Amplification& step, int count) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/motion/claims.hpp"
+#include "analysis/stability/stability_claims.hpp"
 
 #include <doctest/doctest.h>
 
@@ -33,7 +34,9 @@ TEST_CASE(
     CHECK_FALSE(program.description.empty());
     CHECK_FALSE(program.sources.empty());
     CHECK(program.claims.size() >= 2);
-    for (const ClaimVerdict& v : claims(program)) {
+    const std::vector<ClaimVerdict> verdicts = all_claims(program);
+    CHECK(verdicts.size() == program.claims.size());
+    for (const ClaimVerdict& v : verdicts) {
       CAPTURE(v.claim);
       CAPTURE(v.found);
       CHECK(v.holds);

@@ -2,6 +2,8 @@
 // Closed forms of integrators with irrational coefficients, exp, pow and max.
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "analysis/algebra/error.hpp"
 #include "analysis/motion/claims.hpp"
 #include "analysis/motion/derivation.hpp"

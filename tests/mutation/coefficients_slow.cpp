@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "analysis/algebra/error.hpp"
-#include "analysis/motion/claims.hpp"
+#include "analysis/stability/stability_claims.hpp"
 #include "analysis/program/catalogue_data.hpp"
 #include "tests/motion/golden_shortfalls.hpp"
 
@@ -90,7 +90,7 @@ std::vector<LinearForm> first_steps(const Program& program) {
 }
 
 bool claims_hold(const Program& program) {
-  return std::ranges::all_of(claims(program), &ClaimVerdict::holds);
+  return std::ranges::all_of(all_claims(program), &ClaimVerdict::holds);
 }
 
 struct Count {
