@@ -79,6 +79,7 @@ std::optional<LimitMotion> limit_motion(const Program& program, const Values& pa
                                         const Rational& y) {
   const Program frame = substeps == 1 ? program : substepped(program, substeps);
   const StepMap map = step_map(lower(frame, parameters), -1, Fraction(y) / Fraction::letter(kStepLetter, 2));
+  if (!map.extras.empty()) return std::nullopt;  // irrational coefficients
   const ClosedForm form = closed_form(map);
   if (!form.oscillation.is_zero()) return std::nullopt;
   LimitMotion result;
