@@ -14,41 +14,6 @@ namespace {
 constexpr Letter kUnknown = 0;
 constexpr Letter kGenerator = 1;
 
-/// p modulo the polynomial of an algebraic letter.
-Polynomial remainder(const Polynomial& p, const AlgebraicLetter& a) {
-  const Univariate<Rational>& m = a.value.polynomial();
-  std::vector<Polynomial> rest = p.coefficients(a.letter);
-  const std::size_t degree = static_cast<std::size_t>(m.degree());
-  while (rest.size() > degree) {
-    const Polynomial top = rest.back() * Polynomial(Rational(-1) / m.leading());
-    rest.pop_back();
-    const std::size_t shift = rest.size() - degree;
-    for (std::size_t k = 0; k < degree; ++k) rest[shift + k] += top * Polynomial(m[static_cast<int>(k)]);
-  }
-  Polynomial result;
-  for (std::size_t k = 0; k < rest.size(); ++k)
-    result += rest[k] * Polynomial::letter(a.letter, static_cast<int>(k));
-  return result;
-}
-
-/// s and n with s * p = n modulo the letter's polynomial, n free of the letter: by the characteristic
-/// polynomial of multiplication by p, which p itself is a root of.
-std::pair<Polynomial, Polynomial> cofactor_and_norm(const Polynomial& p, const AlgebraicLetter& a) {
-  const int degree = a.value.degree();
-  SquareMatrix<Fraction> multiplication(static_cast<std::size_t>(degree),
-                                        std::vector<Fraction>(static_cast<std::size_t>(degree)));
-  for (int column = 0; column < degree; ++column) {
-    const Polynomial image = remainder(p * Polynomial::letter(a.letter, column), a);
-    for (int row = 0; row < degree; ++row)
-      multiplication[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] =
-          image.coefficient(a.letter, row);
-  }
-  const std::vector<Fraction> c = characteristic_coefficients(multiplication);
-  Polynomial cofactor;
-  for (std::size_t k = c.size() - 1; k >= 1; --k) cofactor = remainder(cofactor * p, a) + c[k].numerator();
-  return {cofactor, -c[0].numerator()};
-}
-
 /// r's interval and s's, so narrow that r + k s is told from every other root of `sum`.
 RealRoot chosen_sum(const Univariate<Rational>& sum, RealRoot r, RealRoot s, int k) {
   std::vector<RealRoot> candidates = real_roots(sum);
@@ -98,19 +63,11 @@ CommonField joined(const RealRoot& r, const RealRoot& s) {
 }  // namespace
 
 Fraction reduced(const Fraction& f, const std::vector<AlgebraicLetter>& letters) {
-  Fraction result = f;
-  for (const AlgebraicLetter& a : letters) {
-    if (!result.contains(a.letter)) continue;
-    Polynomial above = remainder(result.numerator(), a), below = remainder(result.denominator(), a);
-    if (below.is_zero()) throw Undefined("division by zero");
-    if (below.contains(a.letter)) {
-      auto [cofactor, size] = cofactor_and_norm(below, a);
-      above = remainder(above * cofactor, a);
-      below = std::move(size);
-    }
-    result = Fraction(above, below);
-  }
-  return result;
+  std::vector<NumberField::Generator> generators;
+  for (const AlgebraicLetter& a : letters)
+    generators.push_back({a.letter, a.value.polynomial().monic().coefficients()});
+  const NumberField field(std::move(generators));
+  return Fraction(f.numerator(), f.denominator());
 }
 
 SquareMatrix<Fraction> reduced(SquareMatrix<Fraction> matrix, const std::vector<AlgebraicLetter>& letters) {
