@@ -222,7 +222,8 @@ class Printer {
 }  // namespace
 
 CodeStep code_step(const Program& whole, const Values& parameters, Language language) {
-  const Program program = undisturbed(whole);
+  constexpr int kDigits = 20;  // more than any of these languages' numbers hold
+  const Program program = with_numbers(undisturbed(whole), kDigits);
   Lines start = lines_of(program.start, parameters);
   Lines step = lines_of(program.step, parameters);
   Lines finish = lines_of(program.finish, parameters);

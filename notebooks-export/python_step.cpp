@@ -116,6 +116,9 @@ PythonStep::PythonStep(const Program& program, const Values& given, int substeps
     : program_(undisturbed(substepped(program, substeps))),
       values_(parameter_values(program, given)),
       substeps_(substeps) {
+  if (!program.roots.empty())
+    throw Unable("a notebook computes with fractions, and '" + program.roots.front().name + "' of " +
+                 program.name + " is irrational");
   carried_ = {"x", "v"};
   for (const State& s : program_.states) carried_.push_back(s.name);
   name_everything();

@@ -50,6 +50,22 @@ Expr with_held_force(const Expr& e, const Expr& held) {
   return copy;
 }
 
+/// So many significant digits of an algebraic number.
+Rational digits_of(const RealRoot& root, int digits) {
+  return root.is_rational() ? root.rational() : Rational::parse(root.decimal(root.places(digits)));
+}
+
+/// Every expression changed.
+template <class Change>
+std::vector<Statement> changed(std::vector<Statement> block, const Change& change) {
+  for (Statement& s : block) {
+    if (s.value) s.value = change(s.value);
+    for (Unknown& u : s.unknowns) u.value = change(u.value);
+    s.body = changed(std::move(s.body), change);
+  }
+  return block;
+}
+
 template <class Change>
 std::vector<Statement> calm(const std::vector<Statement>& block, const Change& change) {
   std::vector<Statement> result;
@@ -93,6 +109,25 @@ Program undisturbed(const Program& program) {
   }
   result.impulse.reset();
   result.holds_force = false;
+  return result;
+}
+
+Program with_numbers(const Program& program, int digits) {
+  Program result = program;
+  const auto numbers = [&](std::vector<Statement>& block) {
+    block = changed(block, [&](Expr e) {
+      for (const Root& r : program.roots) e = replace(e, r.name, number(digits_of(*r.value, digits)));
+      for (const Approximation& a : program.approximations) e = replace(e, a.name, number(a.value));
+      return e;
+    });
+  };
+  numbers(result.start);
+  numbers(result.step);
+  numbers(result.finish);
+  result.roots.clear();
+  result.approximations.clear();
+  result.tableau.reset();
+  result.splitting.reset();
   return result;
 }
 

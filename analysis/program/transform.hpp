@@ -14,4 +14,8 @@ Program substepped(const Program& program, int count);
 /// is given, a force that is held has a name.
 Program undisturbed(const Program& program);
 
+/// The integrator with its roots and approximate coefficients as numbers: rationals within 10^-digits,
+/// relatively.
+Program with_numbers(const Program& program, int digits);
+
 }  // namespace shortfall

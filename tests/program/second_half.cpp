@@ -126,12 +126,9 @@ TEST_CASE("an irrational coefficient is rounded once, and has no value in ration
 }
 
 TEST_CASE("functions are those of the C library, and exact where they can be") {
-  const Program p = with_step("  v = v*pow(1 - c, h)*exp(-c*h/1)\n  x = x + max(h, 1/4)*v + min(h, 1/4)*v",
-                              "  param c : 1 = 0.3");
   // exp takes a number without dimension.
   CHECK(complaint("  param c : 1 = 0.3", "step\n  v = v*exp(-c*h)\n  x = x + h*v") ==
-        "test.integrator:4:11: exp takes a number without dimension; found scalar [T]");
-  (void)p;
+        "test.integrator:4:13: exp takes a number without dimension; found scalar [T]");
   const Program q = with_step("  v = v*pow(1 - c, h)*exp(-c*d*h)\n  x = x + max(h, 0*h)*v",
                               "  param c = 0.3\n  param d : 1/T = 2");
   const double v = 2.0 * std::pow(1.0 - 0.3, 0.1) * std::exp(-0.3 * 2.0 * 0.1);
