@@ -23,16 +23,18 @@ class Wave {
   void tell() {
     const Fraction half = trace_ / Fraction(2);
     const bool unit = determinant_ == Fraction(1);
-    const Expr r = unit ? number(1) : name("r");
+    const std::string growth_name = free_name({"r", "rho", "growth"});
+    const std::string phase_name = free_name({"theta", "phi", "phase"});
+    const Expr r = unit ? number(1) : name(growth_name);
     if (!unit)
       d_.definitions.push_back(
-          {"r", call("sqrt", {formula(determinant_, w_)}), "growth of the amplitude per step"});
+          {growth_name, call("sqrt", {formula(determinant_, w_)}), "growth of the amplitude per step"});
     d_.definitions.push_back(
-        {"theta", call("acos", {unit ? formula(half, w_) : formula(half, w_) / r}), "phase per step"});
+        {phase_name, call("acos", {unit ? formula(half, w_) : formula(half, w_) / r}), "phase per step"});
     const Expr n = name("n");
-    const Expr angle = n * name("theta");
+    const Expr angle = n * name(phase_name);
     const Expr growth = unit ? number(1) : binary(Expression::Op::power, r, n);
-    const Expr sine_unit = unit ? call("sin", {name("theta")}) : r * call("sin", {name("theta")});
+    const Expr sine_unit = unit ? call("sin", {name(phase_name)}) : r * call("sin", {name(phase_name)});
     d_.position = wave(d_.form.position, d_.form.oscillation.position, half, growth * call("cos", {angle}),
                        growth * call("sin", {angle}) / sine_unit);
     d_.velocity = wave(d_.form.velocity, d_.form.oscillation.velocity, half, growth * call("cos", {angle}),
@@ -53,6 +55,13 @@ class Wave {
   }
 
  private:
+  /// The first of these that is no letter of the integrator.
+  std::string free_name(const std::vector<std::string>& wanted) const {
+    for (const std::string& word : wanted)
+      if (std::ranges::find(w_.letters, word) == w_.letters.end()) return word;
+    return wanted.back() + "_";
+  }
+
   void add_case(const std::string& condition, const Fraction& half, const Expr& cosine, const Expr& sine) {
     d_.cases.push_back({condition, wave(d_.form.position, d_.form.oscillation.position, half, cosine, sine),
                         wave(d_.form.velocity, d_.form.oscillation.velocity, half, cosine, sine)});

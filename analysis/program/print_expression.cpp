@@ -50,8 +50,8 @@ std::string vulgar_fraction(const std::string& text) {
 /// The Greek letter that a name spells, "" when it spells none.
 std::string greek_letter(const std::string& name) {
   static const std::map<std::string, std::string> letters{
-      {"alpha", "α"},  {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"rho", "ρ"}, {"theta", "θ"},
-      {"lambda", "λ"}, {"xi", "ξ"},   {"chi", "χ"},   {"omega", "ω"}, {"mu", "μ"}};
+      {"alpha", "α"},  {"beta", "β"}, {"gamma", "γ"}, {"delta", "δ"}, {"rho", "ρ"},   {"theta", "θ"},
+      {"lambda", "λ"}, {"phi", "φ"},  {"xi", "ξ"},    {"chi", "χ"},   {"omega", "ω"}, {"mu", "μ"}};
   const auto found = letters.find(name);
   return found == letters.end() ? "" : found->second;
 }

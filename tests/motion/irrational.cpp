@@ -110,3 +110,10 @@ TEST_CASE("square roots that are related are one letter") {
   CHECK(print(d.position) == "x0 + v0*t + 1/2*a*t^2 - 1/2*a*h*t");
   CHECK(d.map.extras.size() == 2);
 }
+
+TEST_CASE("the phase of an oscillation gets a name that the integrator does not use") {
+  const LinearDerivation d = linear_derivation(
+      read("  param theta = 1/2\nstep\n  v = v + h*a(x, v, t)\n  x = x + 2*theta*h*v\n"), force_named("spring"));
+  REQUIRE(d.definitions.size() == 1);
+  CHECK(d.definitions[0].name == "phi");
+}
