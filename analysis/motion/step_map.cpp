@@ -36,6 +36,9 @@ StepMap step_map(const Tape& tape, int degree, Fraction stiffness, Fraction damp
   map.extras = extras->all();
   map.generators = extras->generators();
   map.assumed = extras->used();
+  for (const Tape::Limit& limit : tape.limits) map.assumed.push_back("'" + limit.text + "' never acts");
+  for (const Tape::When& when : tape.whens) map.assumed.push_back("'" + when.text + "' always holds");
+  if (tape.impulse >= 0) map.assumed.push_back("no impulse is given");
   return map;
 }
 

@@ -24,7 +24,7 @@ struct StepMap {
   LinearForm velocity;
   std::vector<ExtraLetters::Extra> extras;         ///< what the last letters stand for
   std::vector<NumberField::Generator> generators;  ///< of the NumberField in which these forms are to be used
-  std::vector<std::string> assumed;                ///< what the integrator's head assumes and was used
+  std::vector<std::string> assumed;  ///< what the head assumes and was used; limits that must not act
 
   /// Coefficients of the carried vectors in `step`.
   std::vector<std::vector<Fraction>> matrix() const;

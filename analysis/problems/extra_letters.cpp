@@ -37,6 +37,16 @@ SquareFree square_free(std::int64_t whole) {
   return result;
 }
 
+/// 1 - c rather than -c + 1.
+std::string shown(const Fraction& f, const std::vector<std::string>& names) {
+  const Polynomial& p = f.numerator();
+  const Rational constant = p.constant();
+  const Polynomial rest = Polynomial(constant) - p;
+  const bool turned = f.is_polynomial() && constant.sign() > 0 && rest.terms().size() == 1 &&
+                      rest.terms().front().coefficient.sign() > 0;
+  return turned ? constant.str() + " - " + rest.str(names) : f.str(names);
+}
+
 }  // namespace
 
 Letter ExtraLetters::new_letter(std::string name) {
@@ -150,8 +160,8 @@ int ExtraLetters::sign(const Fraction& difference, Function f) {
           Fraction((difference / Fraction::letter(kStepLetter)).constant()))
     return (difference / Fraction::letter(kStepLetter)).constant().sign();
   throw Unable("which value of " + std::string(name_of(f)) + " is taken depends on the sign of " +
-               difference.str(names_) + "; say so in the integrator's head: assume " +
-               difference.str(names_) + " > 0");
+               shown(difference, names_) + "; say so in the integrator's head: assume " +
+               shown(difference, names_) + " > 0");
 }
 
 Fraction ExtraLetters::function(Function f, const Fraction& a, const Fraction& b) {
@@ -188,7 +198,7 @@ Fraction ExtraLetters::function(Function f, const Fraction& a, const Fraction& b
   for (const Extra& e : extras_)
     if (!e.root && e.function == f && e.a == a && (!two || e.b == b)) return Fraction::letter(e.letter);
   const std::string name =
-      std::string(name_of(f)) + "(" + a.str(names_) + (two ? ", " + b.str(names_) : "") + ")";
+      std::string(name_of(f)) + "(" + shown(a, names_) + (two ? ", " + shown(b, names_) : "") + ")";
   const Letter letter = new_letter(name);
   extras_.push_back({letter, name, nullptr, f, a, two ? b : Fraction()});
   return Fraction::letter(letter);

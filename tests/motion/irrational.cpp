@@ -112,8 +112,28 @@ TEST_CASE("square roots that are related are one letter") {
 }
 
 TEST_CASE("the phase of an oscillation gets a name that the integrator does not use") {
-  const LinearDerivation d = linear_derivation(
-      read("  param theta = 1/2\nstep\n  v = v + h*a(x, v, t)\n  x = x + 2*theta*h*v\n"), force_named("spring"));
+  const LinearDerivation d =
+      linear_derivation(read("  param theta = 1/2\nstep\n  v = v + h*a(x, v, t)\n  x = x + 2*theta*h*v\n"),
+                        force_named("spring"));
   REQUIRE(d.definitions.size() == 1);
   CHECK(d.definitions[0].name == "phi");
+}
+
+TEST_CASE("a closed form says which limits must not act, and that no impulse is given") {
+  const Derivation d = derivation(
+      read("  impulse j : L/T\nstep\n  v = v + j + h*a(x, v, t)\n  limit speed 500\n  when speed > 0.01 {\n"
+           "    v = v*9/10\n  }\n  x = x + h*v\n"),
+      0);
+  const auto says = [&](const std::string& text) {
+    return std::ranges::find(d.assumptions, text) != d.assumptions.end();
+  };
+  CHECK(says("'limit speed 500' never acts"));
+  CHECK(says("'when speed > 0.01' always holds"));
+  CHECK(says("no impulse is given"));
+}
+
+TEST_CASE("letters for functions are named as people write them") {
+  const Derivation d =
+      derivation(read("  param c = 0.1\nstep\n  v = v*pow(1 - c, h) + h*a(x, v, t)\n  x = x + h*v\n"), 0);
+  CHECK(d.map.letters.back() == "pow(1 - c, h)");
 }
