@@ -11,18 +11,18 @@ namespace {
 
 constexpr std::size_t kLongEquation = 16;  // terms: beyond, R(u) says the same and is read more easily
 
-std::string unknown_name(const ImplicitParameters& p, std::size_t i) {
-  return p.unknowns[i] == kStiffness ? "k_new" : "c_new";
+const std::string& unknown_name(const LinearKit& kit, std::size_t i) {
+  return kit.letters[kit.implicit->unknowns[i]];
 }
 
-Expr truth(const ImplicitParameters& p, std::size_t i) {
-  return name(p.unknowns[i] == kStiffness ? "k" : "c");
+Expr truth(const LinearKit& kit, std::size_t i) {
+  return name(kit.letters[kit.implicit->unknowns[i] == kStiffness ? kTrueStiffness : kTrueDamping]);
 }
 
-std::string list_of_unknowns(const ImplicitParameters& p, Style style) {
+std::string list_of_unknowns(const LinearKit& kit, Style style) {
   std::string text;
-  for (std::size_t i = 0; i < p.unknowns.size(); ++i)
-    text += (i ? " and " : "") + print(name(unknown_name(p, i)), style);
+  for (std::size_t i = 0; i < kit.implicit->unknowns.size(); ++i)
+    text += (i ? " and " : "") + print(name(unknown_name(kit, i)), style);
   return text;
 }
 
@@ -48,7 +48,7 @@ std::string range_text(const BranchRange& r, const ImplicitParameters& p) {
 
 std::string implicit_text(const LinearKit& kit, Style style) {
   const ImplicitParameters& p = *kit.implicit;
-  std::string text = "  " + list_of_unknowns(p, style);
+  std::string text = "  " + list_of_unknowns(kit, style);
   const bool one = p.unknowns.size() == 1;
   if (!p.radicals.empty()) {
     text += std::string(one ? " is" : " are") + " given above, by square roots\n";
@@ -63,8 +63,9 @@ std::string implicit_text(const LinearKit& kit, Style style) {
                   : "    with a root u1, u2 for each root of lambda^2 + c lambda + k = 0:\n"
                     "    k_new = u1 u2/h^2, c_new = -(u1 + u2)/h\n";
   } else {
-    text += std::string(one ? " is the root" : " are the solution") + " near the true value" +
-            (one ? "" : "s") + " of\n";
+    text += std::string(one ? " is the root" : " are the solution") +
+            (p.leading.empty() ? " that is regular at h = 0, of\n"
+                               : std::string(" near the true value") + (one ? "" : "s") + " of\n");
   }
   for (const Polynomial& equation : p.equations) {
     if (!p.radicals.empty()) break;
@@ -76,13 +77,13 @@ std::string implicit_text(const LinearKit& kit, Style style) {
   if (!one)
     text = text.substr(0, text.rfind("it exists")) +
            "they exist and are unique for small h: the determinant of the derivatives of both equations";
-  text += " by " + list_of_unknowns(p, style) + " is " + print(formula(p.jacobian, kit.wording()), style) +
+  text += " by " + list_of_unknowns(kit, style) + " is " + print(formula(p.jacobian, kit.wording()), style) +
           " in the\n    limit, not 0 (implicit function theorem)\n";
   for (std::size_t i = 0; i < p.leading.size(); ++i)
-    text += "    " + print(name(unknown_name(p, i)), style) + " = " +
+    text += "    " + print(name(unknown_name(kit, i)), style) + " = " +
             (p.leading[i].is_zero()
-                 ? print(truth(p, i), style) + " up to h^8\n"
-                 : print(joined(truth(p, i), difference(kit, i)), style) + " + higher powers of h\n");
+                 ? print(truth(kit, i), style) + " up to h^8\n"
+                 : print(joined(truth(kit, i), difference(kit, i)), style) + " + higher powers of h\n");
   if (p.range) text += range_text(*p.range, p);
   return text;
 }
@@ -91,14 +92,14 @@ nlohmann::ordered_json implicit_json(const LinearKit& kit) {
   using Json = nlohmann::ordered_json;
   const ImplicitParameters& p = *kit.implicit;
   Json json{{"unknowns", Json::array()}, {"zero", Json::array()}};
-  for (std::size_t i = 0; i < p.unknowns.size(); ++i) json["unknowns"].push_back(unknown_name(p, i));
+  for (std::size_t i = 0; i < p.unknowns.size(); ++i) json["unknowns"].push_back(unknown_name(kit, i));
   for (const Polynomial& equation : p.equations)
     json["zero"].push_back(print(formula(Fraction(equation), kit.wording())));
   json["branch"] = "the solution that tends to the true values for h -> 0";
   json["jacobian"] = print(formula(p.jacobian, kit.wording()));
   Json leading = Json::object();
   for (std::size_t i = 0; i < p.leading.size(); ++i)
-    leading[unknown_name(p, i)] = print(formula(p.leading[i], kit.wording()));
+    leading[unknown_name(kit, i)] = print(formula(p.leading[i], kit.wording()));
   json["leading_difference"] = leading;
   json["stability_function"] = p.stability_function ? Json(print(*p.stability_function)) : Json(nullptr);
   json["range"] = nullptr;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/correction/kit_letters.hpp"
 #include "notebooks-export/linear_implicit.hpp"
 #include "notebooks-export/result_text.hpp"
 
@@ -114,8 +115,9 @@ std::string as_text(const LinearKit& kit, Style style) {
   append_definitions(text, kit.definitions, style);
   for (const FlowCase& other : kit.other_flows) {
     text += "    for " + other.condition + ":\n";
-    for (const auto& [letter, value] : {std::pair{"C", other.cosine}, {"S", other.sine}})
-      text += std::string("      ") + letter + " = " + print(replace(value, "t", name("h")), style) + "\n";
+    for (const auto& [letter, value] : {std::pair{kFlowCosine, other.cosine}, {kFlowSine, other.sine}})
+      text += "      " + print(name(kit.letters[letter]), style) + " = " +
+              print(replace(value, "t", name("h")), style) + "\n";
     for (const Definition& d : other.definitions)
       text += "      " + print(name(d.name), style) + " = " + print(d.value, style) + "\n";
   }

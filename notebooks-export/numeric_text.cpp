@@ -87,8 +87,9 @@ std::string as_text(const NumericMotion& m, const NumericQuestion& q, const std:
         " significant digits, the last one rounded to nearest; +- is the radius of the ball that holds the\n"
         "number. The step is a " +
         std::to_string(m.states) + " x " + std::to_string(m.states) +
-        " matrix of rationals; its power n by repeated squaring, in balls of " + std::to_string(m.bits) +
+        " matrix of exact numbers; its power n by repeated squaring, in balls of " + std::to_string(m.bits) +
         " bits.\n";
+  for (const std::string& assumption : m.assumed) text += "Assumed: " + assumption + ".\n";
   return text;
 }
 
@@ -108,6 +109,7 @@ nlohmann::ordered_json as_json(const NumericMotion& m, const NumericQuestion& q,
                    {"velocity", as_json(m.exact_velocity, q.digits)}};
   json["shortfall"] = {{"position", as_json(m.position_shortfall, q.digits)},
                        {"velocity", as_json(m.velocity_shortfall, q.digits)}};
+  json["assumptions"] = m.assumed;
   json["bits"] = m.bits;
   return json;
 }

@@ -264,6 +264,12 @@ std::string Ball::radius() const {
   return text + (place < 0 ? "e-" : "e+") + (size.size() < 2 ? "0" + size : size);
 }
 
+Ball ball(const RealRoot& root, int bits) {
+  if (root.is_rational()) return Ball(root.rational(), bits);
+  const RealRoot narrow = root.refined(Rational(1, 2).pow(bits));
+  return hull(Ball(narrow.low(), bits), Ball(narrow.high(), bits));
+}
+
 double Ball::to_double() const { return arf_get_d(arb_midref(raw(*this)), ARF_RND_NEAR); }
 
 Rational Ball::midpoint() const {

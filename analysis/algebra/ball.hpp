@@ -6,6 +6,7 @@
 #include <string>
 
 #include "analysis/algebra/rational.hpp"
+#include "analysis/algebra/real_roots.hpp"
 
 namespace shortfall {
 
@@ -83,5 +84,8 @@ class Ball {
   alignas(8) std::byte storage_[kSize];
   int bits_;
 };
+
+/// An algebraic number.
+Ball ball(const RealRoot& root, int bits);
 
 }  // namespace shortfall

@@ -44,7 +44,7 @@ class Numbers {
     const auto& range = kit_.implicit->range;
     if (!range || !range->least) return;
     const bool spring = kit_.implicit->unknowns[0] == kStiffness;
-    const Ball& needed = values.at(spring ? "C" : "D");
+    const Ball& needed = values.at(kit_.letters[spring ? kFlowCosine : kFlowDecay]);
     if ((needed - Ball(Rational::parse(*range->least), bits_)).sign() != -1) return;
     const std::string what = spring ? "cos(w h)" : "exp(-c h)";
     throw Unable("at this step length " + what + " is " + needed.significant(6).value_or("too small") +
@@ -58,6 +58,8 @@ class Numbers {
     Balls values;
     values.emplace("h", Ball(h, bits_));
     for (const auto& [name, value] : parameters_) values.emplace(name, Ball(value, bits_));
+    for (const ExtraLetters::Extra& e : kit_.extras)
+      values[e.name] = e.root ? ball(*e.root, bits_) : ball_value(letter_expression(e.name), values, bits_);
     for (const Definition& d : kit_.definitions) values[d.name] = ball_value(d.value, values, bits_);
     return values;
   }

@@ -81,17 +81,20 @@ class Matcher {
   Matching match(const Force& free) {
     step_ = open_step(program_, free, given_, substeps_);
     names_ = step_->map.letters;
+    kit_.extras = step_->map.extras;
+    for (const auto& value : step_->small_step_values()) point_.push_back(value);
     if (static_cast<int>(names_.size()) > kTrueStiffness)
-      throw Unable("corrections for linear forces carry at most 6 free parameters");
+      throw Unable("corrections for linear forces carry at most 6 free parameters, roots and functions");
     names_.resize(kLetters);
-    names_[kStiffness] = "k_new";
-    names_[kDamping] = "c_new";
-    names_[kFlowTrace] = "T";
-    names_[kTrueStiffness] = "k";
-    names_[kTrueDamping] = "c";
-    names_[kFlowCosine] = "C";
-    names_[kFlowSine] = "S";
-    names_[kFlowDecay] = "D";
+    const std::vector<std::string>& own = step_->map.letters;
+    names_[kStiffness] = unused_name("k_new", own);
+    names_[kDamping] = unused_name("c_new", own);
+    names_[kFlowTrace] = unused_name("T", own);
+    names_[kTrueStiffness] = own[kStiffness];
+    names_[kTrueDamping] = own[kDamping];
+    names_[kFlowCosine] = unused_name("C", own);
+    names_[kFlowSine] = unused_name("S", own);
+    names_[kFlowDecay] = unused_name("D", own);
     std::vector<Letter> unknowns;
     if (free.spring) unknowns.push_back(kStiffness);
     if (free.damper) unknowns.push_back(kDamping);
@@ -123,11 +126,15 @@ class Matcher {
            for_letters(step_->pair[0]);
   }
 
+  bool is_extra(Letter letter) const {
+    return std::ranges::any_of(step_->map.extras, [&](const auto& e) { return e.letter == letter; });
+  }
+
   /// A statement about letters says nothing about each of their values.
   std::string for_letters(const Fraction& f) const {
     std::string letters;
     for (Letter letter = kFirstParameter; letter < kTrueStiffness; ++letter)
-      if (f.contains(letter)) letters += (letters.empty() ? "" : ", ") + names_[letter];
+      if (f.contains(letter) && !is_extra(letter)) letters += (letters.empty() ? "" : ", ") + names_[letter];
     return letters.empty() ? ""
                            : "; so with " + letters + " left open, a single value is asked for with --param";
   }
@@ -167,8 +174,12 @@ class Matcher {
     }
     put_ = [&](Fraction f) {
       if (substitute) f = found.put_into(f);
-      // Without damping the flow is said by C alone.
-      if (force_.spring && !force_.damper) f = f.substitute(kFlowTrace, Fraction(2) * cosine_);
+      // Without damping the flow is said by C alone; and C by the parameters, where these are roots of
+      // equations: what vanishes by them is then seen to be 0.
+      if (force_.spring && !force_.damper) {
+        f = f.substitute(kFlowTrace, Fraction(2) * cosine_);
+        if (!substitute) f = f.substitute(kFlowCosine, -step_->pair[1] / Fraction(2));
+      }
       return f;
     };
     kit_.exists = true;
@@ -273,16 +284,19 @@ class Matcher {
     kit_.other_flows = flow.others;
     const auto at_h = [](const Expr& e) { return replace(e, "t", name("h")); };
     if (force_.spring) {
-      kit_.definitions.push_back({"C", at_h(flow.cosine), "true position after h from x0 = 1, v0 = 0"});
-      kit_.definitions.push_back({"S", at_h(flow.sine), "true position after h from x0 = 0, v0 = 1"});
+      kit_.definitions.push_back(
+          {names_[kFlowCosine], at_h(flow.cosine), "true position after h from x0 = 1, v0 = 0"});
+      kit_.definitions.push_back(
+          {names_[kFlowSine], at_h(flow.sine), "true position after h from x0 = 0, v0 = 1"});
     }
-    const Expr c = force_.c ? number(*force_.c) : name("c");
+    const Expr c = formula(c_, wording());
     if (force_.damper)
-      kit_.definitions.push_back({"D", call("exp", {negate(c) * name("h")}),
+      kit_.definitions.push_back({names_[kFlowDecay], call("exp", {negate(c) * name("h")}),
                                   "the share of the velocity that damping leaves after h"});
     if (force_.spring && force_.damper)
-      kit_.definitions.push_back(
-          {"T", number(2) * name("C") - c * name("S"), "the trace of the exact flow over h"});
+      kit_.definitions.push_back({names_[kFlowTrace],
+                                  number(2) * name(names_[kFlowCosine]) - c * name(names_[kFlowSine]),
+                                  "the trace of the exact flow over h"});
     if (kit_.implicit) {
       if (force_.spring && !force_.damper)
         for (Polynomial& p : kit_.implicit->equations)
@@ -321,8 +335,10 @@ std::optional<QuadraticForm> quadratic_form(const std::vector<std::vector<Fracti
 }
 
 LinearKit linear_kit(const Program& program, const Force& force, const Values& given, int substeps) {
+  const LinearDerivation d = linear_derivation(program, force, given, substeps);
+  const NumberField field(d.map.generators);  // roots that the integrator's coefficients contain are numbers
   LinearKit kit = Matcher(program, force, given, substeps).matched();
-  kit.conserved = quadratic_form(linear_derivation(program, force, given, substeps).amplification);
+  kit.conserved = quadratic_form(d.amplification);
   return kit;
 }
 

@@ -43,8 +43,9 @@ struct LinearKit {
   std::vector<FlowCase> other_flows;    ///< C and S, as functions of t = h, where k and c are of another kind
   std::vector<Definition> definitions;  ///< C, S, T, D; k_new, c_new where square roots give them
   std::optional<ImplicitParameters>
-      implicit;                      ///< how k_new, c_new are found where they are roots of equations
-  std::vector<std::string> letters;  ///< names of the letters in its equations
+      implicit;                             ///< how k_new, c_new are found where they are roots of equations
+  std::vector<ExtraLetters::Extra> extras;  ///< roots, exp and pow of the integrator, which are letters too
+  std::vector<std::string> letters;         ///< names of the letters in its equations
   std::optional<QuadraticForm> conserved;
 
   Wording wording() const { return {letters, "n", true}; }

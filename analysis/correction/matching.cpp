@@ -9,9 +9,19 @@ namespace shortfall {
 
 namespace {
 
-Polynomial at(Polynomial p, const BranchPoint& point) {
+Fraction at(Polynomial p, const BranchPoint& point) {
   for (const auto& [letter, value] : point) p = p.substitute(letter, value);
   return p;
+}
+
+/// Whether polynomials contain algebraic numbers: then a greatest common divisor over the rationals may miss
+/// factors.
+bool in_number_field(const std::vector<Fraction>& conditions) {
+  if (!NumberField::current()) return false;
+  for (const NumberField::Generator& g : NumberField::current()->generators())
+    for (const Fraction& f : conditions)
+      if (f.contains(g.letter)) return true;
+  return false;
 }
 
 /// Whether a value of the unknown is 0 at the point, as the solution that is wanted is.
@@ -50,6 +60,12 @@ Matching one_unknown(const std::vector<Fraction>& conditions, Letter unknown, co
     common = gcd(common, condition.numerator());
   }
   if (common.degree(unknown) < 1) {
+    if (in_number_field(conditions)) {
+      m.kind = Matching::Kind::unknown;
+      m.obstruction = "both conditions on " + names[unknown] +
+                      " contain algebraic numbers, and common factors are looked for over the rationals only";
+      return m;
+    }
     m.obstruction =
         "no value of " + names[unknown] + " satisfies both conditions (their greatest common divisor is 1)";
     return m;
@@ -129,10 +145,10 @@ Matching matching(const std::vector<Fraction>& conditions, const std::vector<Let
 }
 
 Fraction branch_jacobian(const Matching& m, const BranchPoint& point) {
-  std::vector<Polynomial> d;
+  std::vector<Fraction> d;
   for (const Polynomial& equation : m.equations)
     for (const Letter unknown : m.unknowns) d.push_back(at(equation.derivative(unknown), point));
-  return d.size() == 1 ? Fraction(d[0]) : Fraction(d[0] * d[3] - d[1] * d[2]);
+  return d.size() == 1 ? d[0] : d[0] * d[3] - d[1] * d[2];
 }
 
 }  // namespace shortfall

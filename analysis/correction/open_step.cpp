@@ -17,11 +17,12 @@ std::vector<Fraction> monic(const Polynomial& p) {
   return result;
 }
 
-/// Whether a factor has the root 1 where there is no force.
-bool belongs_to_motion(const Polynomial& factor) {
-  return factor.substitute(kStiffness, Rational(0))
-      .substitute(kDamping, Rational(0))
-      .substitute(kEigenvalue, Rational(1))
+/// Whether a factor has the root 1 where there is no force, and nothing that the integrator damps by itself.
+bool belongs_to_motion(Polynomial factor, const BranchPoint& units) {
+  for (const auto& [letter, value] : units) factor = factor.substitute(letter, value);
+  return Fraction(factor.substitute(kStiffness, Rational(0))
+                      .substitute(kDamping, Rational(0))
+                      .substitute(kEigenvalue, Rational(1)))
       .is_zero();
 }
 
@@ -42,7 +43,7 @@ void split(OpenStep& step) {
                Polynomial::letter(kEigenvalue, static_cast<int>(k));
   Polynomial motion = 1;
   for (const auto& [factor, multiplicity] : factor(cleared).factors)
-    if (factor.degree(kEigenvalue) > 0 && belongs_to_motion(factor))
+    if (factor.degree(kEigenvalue) > 0 && belongs_to_motion(factor, step.small_step_values()))
       motion = motion * factor.pow(multiplicity);
   if (motion.degree(kEigenvalue) == 2) step.pair = monic(motion);
 }
@@ -63,6 +64,18 @@ void check_particular(const OpenStep& step) {
 
 }  // namespace
 
+BranchPoint OpenStep::small_step_values() const {
+  BranchPoint values;
+  for (const ExtraLetters::Extra& e : map.extras) {
+    if (e.root) continue;
+    const Fraction& exponent = e.function == Function::pow ? e.b : e.a;
+    if ((e.function == Function::exp || e.function == Function::pow) &&
+        exponent.substitute(kStepLetter, Fraction(0)).is_zero())
+      values.emplace_back(e.letter, 1);
+  }
+  return values;
+}
+
 Fraction OpenStep::start(int s, int column) const {
   return map.start[s][column < 2 ? column : map.force.force_column(column - 2)];
 }
@@ -71,6 +84,7 @@ OpenStep open_step(const Program& program, const Force& force, const Values& giv
   OpenStep step;
   step.map =
       step_map(lower(substepped(program, substeps), given), force.degree, force.stiffness(), force.damping());
+  const NumberField field(step.map.generators);
   step.form = closed_form(step.map);
   step.matrix = step.map.matrix();
   split(step);

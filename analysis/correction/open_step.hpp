@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "analysis/correction/matching.hpp"
 #include "analysis/motion/closed_form.hpp"
 #include "analysis/motion/force.hpp"
 #include "analysis/motion/spectrum.hpp"
@@ -28,6 +29,9 @@ struct OpenStep {
   Fraction position(int d) const { return form.position[2 + d].polynomial(); }
   Fraction velocity(int d) const { return form.velocity[2 + d].polynomial(); }
   Fraction state(int s, int d) const { return form.states[s][2 + d].polynomial(); }
+  /// The letters that stand for exp and pow, and what these are for h = 0: 1, where the exponent is a
+  /// multiple of h.
+  BranchPoint small_step_values() const;
   /// Column x0 (0), v0 (1) or the force t^d (2 + d) of what `start` makes of the beginning.
   Fraction start(int s, int column) const;
 };

@@ -10,6 +10,7 @@ namespace {
 Ball called(const std::string& function, const Ball& x) {
   if (function == "sqrt") return sqrt(x);
   if (function == "exp") return exp(x);
+  if (function == "log") return log(x);
   if (function == "cos") return cos(x);
   if (function == "sin") return sin(x);
   if (function == "cosh") return cosh(x);
@@ -48,6 +49,7 @@ Ball ball_value(const Expr& e, const std::map<std::string, Ball>& values, int bi
       return pow(operand(0), static_cast<int>(n));
     }
     case Op::call:
+      if (e->name == "pow" && e->operands.size() == 2) return exp(operand(1) * log(operand(0)));
       if (e->operands.size() == 1) return called(e->name, operand(0));
       break;
     default:

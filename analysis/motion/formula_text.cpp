@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/motion/formula_text.hpp"
 
+#include <algorithm>
+
 #include "analysis/program/token_reader.hpp"
 
 namespace shortfall {
@@ -106,6 +108,12 @@ Expr letter_expression(const std::string& letter) {
   const Source source("a letter", letter);
   int line = 1;
   return TokenReader(source, tokens(source, line, 0)).expression();
+}
+
+std::string unused_name(const std::string& wanted, const std::vector<std::string>& letters) {
+  std::string name = wanted;
+  for (int i = 0; std::ranges::find(letters, name) != letters.end(); ++i) name = wanted + std::to_string(i);
+  return name;
 }
 
 std::string column_name(int column, int degree) {

@@ -19,6 +19,9 @@ struct Wording {
 /// What a letter is called, as an expression: "h", or "sqrt(2)", "exp(-c*h)" for those of extra_letters.hpp.
 Expr letter_expression(const std::string& letter);
 
+/// A name that none of the letters has: the one wanted, or that with a number.
+std::string unused_name(const std::string& wanted, const std::vector<std::string>& letters);
+
 /// The name of the letter in column c of a Motion: x0, v0, then a (degree 0) or f0, f1, ...
 std::string column_name(int column, int degree);
 

@@ -21,6 +21,7 @@ class Wave {
         determinant_(d.form.oscillation.polynomial[0]) {}
 
   void tell() {
+    const std::string first = unused_name("z1", w_.letters), second = unused_name("z2", w_.letters);
     const Fraction half = trace_ / Fraction(2);
     const bool unit = determinant_ == Fraction(1);
     const std::string growth_name = free_name({"r", "rho", "growth"});
@@ -48,10 +49,11 @@ class Wave {
              n * binary(Expression::Op::power, root, n - number(1)));
     // Two real roots z1, z2: half their sum of powers takes the place of the cosine, the difference over z1 -
     // z2 that of the sine.
-    const Expr z1 = binary(Expression::Op::power, name("z1"), n);
-    const Expr z2 = binary(Expression::Op::power, name("z2"), n);
-    add_case("T^2 > 4 D: two real roots z1, z2 = T/2 + sqrt(T^2/4 - D), T/2 - sqrt(T^2/4 - D)", half,
-             (z1 + z2) / number(2), (z1 - z2) / (name("z1") - name("z2")));
+    const Expr z1 = binary(Expression::Op::power, name(first), n);
+    const Expr z2 = binary(Expression::Op::power, name(second), n);
+    add_case("T^2 > 4 D: two real roots " + first + ", " + second +
+                 " = T/2 + sqrt(T^2/4 - D), T/2 - sqrt(T^2/4 - D)",
+             half, (z1 + z2) / number(2), (z1 - z2) / (name(first) - name(second)));
   }
 
  private:

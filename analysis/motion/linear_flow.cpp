@@ -78,7 +78,7 @@ Expr square_root(const Fraction& f, const Wording& w) {
 }
 
 Fundamental oscillating(const Force& force, const Wording& w) {
-  const Expr omega = name(force.damper ? "wd" : "w");
+  const Expr omega = name(unused_name(force.damper ? "wd" : "w", w.letters));
   // k sin(w t)/w is w sin(w t) where nothing damps.
   Fundamental f = damped(force, w, call("cos", {omega * kT}), call("sin", {omega * kT}) / omega);
   if (!force.damper) {
@@ -98,13 +98,13 @@ Fundamental critical(const Force& force, const Wording& w) {
 }
 
 Fundamental running(const Force& force, const Wording& w) {
-  const Expr s = name("s");
+  const Expr s = name(unused_name("s", w.letters));
   Fundamental f = damped(force, w, call("cosh", {s * kT}), call("sinh", {s * kT}) / s);
   if (!force.damper) {
     f.cosine_rate = s * call("sinh", {s * kT});
     f.shape = nullptr;
   }
-  f.definitions = {{"s", square_root(-discriminant(force), w), "rate"}};
+  f.definitions = {{s->name, square_root(-discriminant(force), w), "rate"}};
   f.condition = !force.damper ? std::string("k < 0") + kRunsAway : "k < c^2/4, overdamped";
   if (force.damper)
     f.condition += force.k && force.k->sign() < 0 ? std::string("; k < 0") + kRunsAway

@@ -17,7 +17,7 @@ namespace {
 
 constexpr int kMostBits = 1 << 16;
 constexpr std::size_t kLongestExact = 300;  // digits: beyond, balls are faster, and nobody reads them
-constexpr int kHighestDegree = 30;           // of a force polynomial: the matrix grows with it
+constexpr int kHighestDegree = 30;          // of a force polynomial: the matrix grows with it
 
 template <class T>
 using Rows = std::vector<std::vector<T>>;
@@ -33,37 +33,43 @@ std::vector<int> binary_digits(Rational n) {  // lowest first
 }
 
 /// z(n+1) = A z(n) with the powers 1, n, ..., n^D of the step count as further entries, and what is reported
-/// of it.
+/// of it. Entries are rational, or contain roots, exp and pow as letters.
 class NumericStep {
  public:
   NumericStep(const Program& program, const NumericQuestion& q) {
     const Tape tape = lower(substepped(program, q.substeps), parameter_values(program, q.parameters));
     const Force& f = q.force;
-    const StepMap map = step_map(tape, f.degree, f.stiffness(), f.damping(), Fraction(q.h));
-    states_ = map.force.states;
+    map_ = step_map(tape, f.degree, f.stiffness(), f.damping(), Fraction(q.h));
+    const NumberField field(map_.generators);
+    states_ = map_.force.states;
     powers_ = f.degree + 1;
     const int size = states_ + std::max(powers_, 0);
-    a_.assign(size, std::vector<Rational>(size));
+    a_.assign(size, std::vector<Fraction>(size));
     for (int i = 0; i < states_; ++i) {
-      fill(a_[i], map.step[i], map, q);
-      start_.push_back(at_start(map.start[i], q));
+      fill(a_[i], map_.step[i], q);
+      start_.push_back(at_start(map_.start[i], q));
     }
     for (int j = 0; j < powers_; ++j) {
       for (int i = 0; i <= j; ++i) a_[states_ + j][states_ + i] = binomial(j, i);
       start_.push_back(j == 0 ? 1 : 0);
     }
-    for (const LinearForm* row : {&map.position, &map.velocity}) {
+    for (const LinearForm* row : {&map_.position, &map_.velocity}) {
       report_.emplace_back(size);
-      fill(report_.back(), *row, map, q);
+      fill(report_.back(), *row, q);
     }
+    for (const Rows<Fraction>& rows : {a_, report_, {start_}})
+      for (const auto& row : rows)
+        for (const Fraction& f : row) rational_ = rational_ && f.is_constant();
   }
 
   int size() const { return static_cast<int>(a_.size()); }
+  const std::vector<std::string>& assumed() const { return map_.assumed; }
 
-  /// Exactly; empty when that gets long.
+  /// Exactly; empty when that gets long, or entries are irrational.
   std::optional<std::vector<Rational>> exact(const std::vector<int>& digits) const {
-    Rows<Rational> power = a_;
-    std::vector<Rational> z = start_;
+    if (!rational_) return {};
+    Rows<Rational> power = rationals(a_);
+    std::vector<Rational> z = rationals(start_);
     for (std::size_t i = 0; i < digits.size(); ++i) {
       if (digits[i]) z = times(power, z);
       if (i + 1 < digits.size()) power = times(power, power);
@@ -71,64 +77,115 @@ class NumericStep {
         if (std::ranges::any_of(row, [](const Rational& r) { return r.digits() > kLongestExact; })) return {};
       if (std::ranges::any_of(z, [](const Rational& r) { return r.digits() > kLongestExact; })) return {};
     }
-    return std::vector{dot(report_[0], z), dot(report_[1], z)};
+    return std::vector{dot(rationals(report_[0]), z), dot(rationals(report_[1]), z)};
   }
 
   std::vector<Ball> balls(const std::vector<int>& digits, int bits) const {
+    const std::vector<Ball> letters = extras(bits);
     Rows<Ball> power;
-    for (const auto& row : a_) power.push_back(converted(row, bits));
-    std::vector<Ball> z = converted(start_, bits);
+    for (const auto& row : a_) power.push_back(converted(row, letters, bits));
+    std::vector<Ball> z = converted(start_, letters, bits);
     for (std::size_t i = 0; i < digits.size(); ++i) {
       if (digits[i]) z = times(power, z);
       if (i + 1 < digits.size()) power = times(power, power);
     }
-    return {dot(converted(report_[0], bits), z), dot(converted(report_[1], bits), z)};
+    return {dot(converted(report_[0], letters, bits), z), dot(converted(report_[1], letters, bits), z)};
   }
 
   /// The value of what does not move at all: a sequence that satisfies a recurrence of the matrix's order and
   /// has so many equal values (and one more) is constant.
   std::array<std::optional<Rational>, 2> constants() const {
     std::array<std::optional<Rational>, 2> result;
-    std::vector<Rational> z = start_;
-    for (int i : {0, 1}) result[i] = dot(report_[i], z);
+    if (!rational_) return result;
+    const Rows<Rational> a = rationals(a_), report = rationals(report_);
+    std::vector<Rational> z = rationals(start_);
+    for (int i : {0, 1}) result[i] = dot(report[i], z);
     for (int n = 0; n <= size(); ++n) {
-      z = times(a_, z);
+      z = times(a, z);
       for (int i : {0, 1})
-        if (result[i] && !(dot(report_[i], z) == *result[i])) result[i].reset();
+        if (result[i] && !(dot(report[i], z) == *result[i])) result[i].reset();
       if (!result[0] && !result[1]) break;
     }
     return result;
   }
 
  private:
-  static Rational number(const Fraction& f) {
-    if (!f.is_constant())
+  static Fraction checked(const Fraction& f) {
+    if (f.contains(kCount) || f.contains(kTimeLetter))
       throw Unable("the coefficients of the step depend on t, so its n-step map is no power of a matrix");
-    return f.constant();
+    return f;
   }
 
   /// Coefficients of the carried vectors, then of the powers of n.
-  void fill(std::vector<Rational>& row, const LinearForm& form, const StepMap& map,
-            const NumericQuestion& q) const {
-    for (int j = 0; j < states_; ++j) row[j] = number(form[j]);
+  void fill(std::vector<Fraction>& row, const LinearForm& form, const NumericQuestion& q) const {
+    for (int j = 0; j < states_; ++j) row[j] = checked(form[j]);
     for (int d = 0; d < powers_; ++d) {
-      const Fraction& f = form[map.force.force_column(d)];
-      const Rational weight = f.is_zero() ? Rational() : q.force.push.at(d) / number(f.denominator());
+      const Fraction& f = form[map_.force.force_column(d)];
+      if (f.is_zero()) continue;
+      const Fraction weight = Fraction(q.force.push.at(d)) / checked(Fraction(f.denominator()));
       for (int j = 0; j <= f.numerator().degree(kCount); ++j)
-        row[states_ + j] += weight * number(f.numerator().coefficient(kCount, j));
+        row[states_ + j] += weight * checked(Fraction(f.numerator().coefficient(kCount, j)));
     }
   }
 
-  Rational at_start(const LinearForm& form, const NumericQuestion& q) const {
-    Rational total = number(form[0]) * q.x0 + number(form[1]) * q.v0;
+  Fraction at_start(const LinearForm& form, const NumericQuestion& q) const {
+    Fraction total = checked(form[0]) * Fraction(q.x0) + checked(form[1]) * Fraction(q.v0);
     for (int d = 0; d < powers_; ++d)
-      if (!form[states_ + d].is_zero()) total += number(form[states_ + d]) * q.force.push.at(d);
+      if (!form[states_ + d].is_zero()) total += checked(form[states_ + d]) * Fraction(q.force.push.at(d));
     return total;
   }
 
-  static std::vector<Ball> converted(const std::vector<Rational>& row, int bits) {
+  static std::vector<Rational> rationals(const std::vector<Fraction>& row) {
+    std::vector<Rational> result;
+    for (const Fraction& f : row) result.push_back(f.constant());
+    return result;
+  }
+
+  static Rows<Rational> rationals(const Rows<Fraction>& rows) {
+    Rows<Rational> result;
+    for (const auto& row : rows) result.push_back(rationals(row));
+    return result;
+  }
+
+  /// Values of all letters: only those that stand for roots, exp and pow occur.
+  std::vector<Ball> extras(int bits) const {
+    std::vector<Ball> letters(kLetters, Ball(0, bits));
+    for (const ExtraLetters::Extra& e : map_.extras)
+      letters[e.letter] = e.root ? ball(*e.root, bits)
+                                 : value_of(e.function, value(e.a, letters, bits), value(e.b, letters, bits));
+    return letters;
+  }
+
+  static Ball value_of(Function f, const Ball& a, const Ball& b) {
+    if (f == Function::exp) return exp(a);
+    if (f == Function::sqrt) return sqrt(a);
+    if (f == Function::log) return log(a);
+    if (f == Function::pow) return exp(b * log(a));
+    throw Unable("the function " + std::string(name_of(f)) + " of the step is not computed in balls");
+  }
+
+  static Ball value(const Polynomial& p, const std::vector<Ball>& letters, int bits) {
+    Ball sum(0, bits);
+    for (const auto& term : p.terms()) {
+      Ball product(term.coefficient, bits);
+      for (Letter letter = 0; letter < kLetters; ++letter)
+        if (const int exponent = term.monomial.exponent(letter); exponent > 0)
+          product *= pow(letters[letter], exponent);
+      sum += product;
+    }
+    return sum;
+  }
+
+  static Ball value(const Fraction& f, const std::vector<Ball>& letters, int bits) {
+    if (f.is_constant()) return Ball(f.constant(), bits);
+    const Ball above = value(f.numerator(), letters, bits);
+    return f.is_polynomial() ? above : above / value(f.denominator(), letters, bits);
+  }
+
+  static std::vector<Ball> converted(const std::vector<Fraction>& row, const std::vector<Ball>& letters,
+                                     int bits) {
     std::vector<Ball> result;
-    for (const Rational& r : row) result.emplace_back(r, bits);
+    for (const Fraction& f : row) result.push_back(value(f, letters, bits));
     return result;
   }
 
@@ -164,9 +221,11 @@ class NumericStep {
 
   int states_ = 0;
   int powers_ = 0;
-  Rows<Rational> a_;
-  std::vector<Rational> start_;
-  Rows<Rational> report_;
+  bool rational_ = true;
+  StepMap map_;
+  Rows<Fraction> a_;
+  std::vector<Fraction> start_;
+  Rows<Fraction> report_;
 };
 
 /// The true motion: a polynomial in t, and what is free about it.
@@ -247,6 +306,7 @@ NumericMotion numeric_motion(const Program& program, const NumericQuestion& q) {
   NumericMotion m;
   m.time = q.steps * q.h;
   m.states = step.size();
+  m.assumed = step.assumed();
   const NumericFlow flow(q, m.time);
 
   if (const auto both = step.exact(digits)) {

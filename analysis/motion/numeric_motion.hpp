@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analysis/algebra/ball.hpp"
 #include "analysis/motion/force.hpp"
@@ -37,8 +38,9 @@ struct NumericMotion {
   CertainNumber position, velocity;
   CertainNumber exact_position, exact_velocity;
   CertainNumber position_shortfall, velocity_shortfall;  ///< exact minus computed
-  int states = 0;                                        ///< rows of the matrix that is raised to the power n
-  int bits = 0;                                          ///< working precision at last
+  std::vector<std::string> assumed;  ///< what the integrator's own text assumes, and was used
+  int states = 0;                    ///< rows of the matrix that is raised to the power n
+  int bits = 0;                      ///< working precision at last
 };
 
 /// The n-step map is the n-th power of a matrix of rationals, by repeated squaring: exactly while that is

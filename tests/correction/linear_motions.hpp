@@ -12,6 +12,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/real.hpp"
 #include "analysis/correction/linear_kit.hpp"
+#include "analysis/problems/functions.hpp"
 #include "analysis/problems/numbers.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/print.hpp"
@@ -93,7 +94,7 @@ struct Motions {
 
   /// The formulas of the true motion that hold for these numbers.
   FlowCase flow() const {
-    const LinearFlow all = linear_flow(force, {"n", "h", "t", "k", "c"});
+    const LinearFlow all = linear_flow(force, letter_names(lower(program)));
     const Rational discriminant = test.k - test.c * test.c / 4;
     if (force.k || !force.spring || discriminant.sign() > 0) return all;
     return discriminant.is_zero() ? all.others.at(0) : all.others.back();
@@ -186,6 +187,8 @@ inline void solve_equations(const LinearKit& kit, Reals& values) {
 /// Steps the integrator with everything that the kit replaces and holds every frame against the true motion.
 inline void check_every_frame(Motions& m, const LinearKit& kit, int steps, int substeps = 1) {
   using Kind = LinearCorrection::Kind;
+  for (const ExtraLetters::Extra& e : kit.extras)
+    if (e.root) m.values[e.name] = decimal(near(*e.root, 2 * kDigits));
   for (const Definition& d : kit.definitions)
     if (!m.values.contains(d.name)) m.values[d.name] = value(d.value, m.values);
   // C and S of the case that these numbers are in.
@@ -194,7 +197,7 @@ inline void check_every_frame(Motions& m, const LinearKit& kit, int steps, int s
     for (const auto& [letter, e] : {std::pair{"C", flow.cosine}, {"S", flow.sine}})
       m.values[letter] = value(replace(e, "t", name("h")), m.values);
     for (const Definition& d : kit.definitions)
-      if (d.name != "C" && d.name != "S" && d.name != "D" && d.name != "w" && d.name != "wd")
+      if (d.name != "C" && d.name != "S" && d.name != "D" && !d.name.starts_with("w"))
         m.values[d.name] = value(d.value, m.values);
   }
   if (kit.implicit && kit.implicit->radicals.empty()) solve_equations(kit, m.values);
