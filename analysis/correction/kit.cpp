@@ -48,6 +48,7 @@ CorrectionKit correction_kit(const Derivation& d) {
   if (d.degree > kHighestDegree)
     throw Unable("correction kits are solved for up to degree " + std::to_string(kHighestDegree) +
                  "; the closed form goes up to degree 200");
+  const NumberField field(d.map.generators);
   CorrectionKit kit;
   kit.needed = !is_zero(d.shortfall_position_motion) || !is_zero(d.shortfall_velocity_motion);
   if (!kit.needed) return kit;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/problems/linear_force.hpp"
 
+#include "analysis/problems/functions.hpp"
+
 namespace shortfall {
 
 LinearForm LinearForce::acceleration(const LinearForm& x, const LinearForm& v, const Fraction& t) const {
@@ -13,6 +15,22 @@ LinearForm LinearForce::acceleration(const LinearForm& x, const LinearForm& v, c
   if (!stiffness.is_zero()) result -= stiffness * x;
   if (!damping.is_zero()) result -= damping * v;
   return result;
+}
+
+Fraction LinearForce::function(Function f, const Fraction& a, const Fraction& b) const {
+  if (extras) return extras->function(f, a, b);
+  if (a.is_constant() && b.is_constant()) return value_of(f, a.constant(), b.constant());
+  throw Unable("the step calls " + std::string(name_of(f)) + " of what is no number");
+}
+
+Fraction LinearForce::root(const RealRoot& root, const std::string& name) const {
+  if (extras) return extras->root(root, name);
+  if (root.is_rational()) return root.rational();
+  throw Unable("the coefficient '" + name + "' of the step is irrational");
+}
+
+void LinearForce::assume(Fraction positive, std::string text) const {
+  if (extras) extras->assume(std::move(positive), std::move(text));
 }
 
 std::vector<LinearForm> LinearForce::eliminated(std::vector<LinearForm> values) const {

@@ -41,11 +41,10 @@ struct LinearForce {
   /// Where limits have no lengths to compare: no `limit` acts, every `when` holds.
   bool longer(const Vector&, const Scalar&, bool assumed) const { return assumed; }
   Vector shortened(const Vector& v, const Vector&, const Scalar&) const { return v; }
-  Scalar function(Function f, const Scalar& a, const Scalar& b) const { return extras->function(f, a, b); }
-  Scalar root(const RealRoot& root, const std::string& name) const { return extras->root(root, name); }
-  void assume(Scalar positive, std::string text) const {
-    extras->assume(std::move(positive), std::move(text));
-  }
+  /// Without extra letters functions have values only where these are rational numbers, and roots have none.
+  Scalar function(Function f, const Scalar& a, const Scalar& b) const;
+  Scalar root(const RealRoot& root, const std::string& name) const;
+  void assume(Scalar positive, std::string text) const;
 
   /// The unknowns get columns of their own and are eliminated exactly.
   ///
