@@ -86,7 +86,7 @@ void read_options(const json& options, Recording& r) {
   if (const int extra = value(options, "extraIters", 0)) r.substeps = (r.substeps ? r.substeps : 4) + extra;
   r.maximal_speed = value(options, "maxLinVel", 0.0);
   r.default_damping = value(options, "defaultDamping", false);
-  r.never_damps = !value(options, "eulerdamp", true);
+  r.explicit_damping = !value(options, "eulerdamp", true);
 }
 
 Recording read(const json& entry, const std::filesystem::path& folder) {

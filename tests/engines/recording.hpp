@@ -31,7 +31,7 @@ struct Recording {
   bool default_damping = false;
   int substeps = 0;          ///< 0: the engine's own default
   bool smears = false;       ///< PhysX: external forces in every iteration of its TGS solver
-  bool never_damps = false;  ///< MuJoCo's Euler with its implicit damping switched off
+  bool explicit_damping = false;  ///< MuJoCo's Euler with its implicit damping switched off
   double maximal_speed = 0;  ///< 0: the engine's own default
   Triple gravity{};
   Triple launch{};            ///< the velocity that was set, or the impulse over the mass

@@ -57,7 +57,6 @@ std::string other_subject(const Recording& r) {
 
 /// The damping number in the units of the engine's interface.
 double damping(const Recording& r) {
-  if (r.never_damps) return 0;
   if (r.engine == "ode") return r.damping * r.step(1);  // a fraction per step
   if (r.engine == "matter-js") return r.damping / 60;   // per 1/60 s
   return r.damping;
@@ -68,6 +67,7 @@ Values values(const Recording& r, const Program& program) {
   // The interfaces take the number in the engine's precision.
   const double c = r.precision == "float32" ? static_cast<float>(damping(r)) : damping(r);
   if (!r.default_damping) result["c"] = Rational::from_double(c);
+  if (r.explicit_damping) result["d"] = Rational(0);
   if (r.substeps != 0 && program.parameter("N") != nullptr) result["N"] = Rational(r.substeps);
   if (r.maximal_speed != 0 && program.parameter("S") != nullptr)
     result["S"] = Rational::from_double(r.maximal_speed);
