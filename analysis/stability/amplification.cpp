@@ -82,18 +82,20 @@ Amplification amplification(SquareMatrix<Fraction> matrix, std::vector<std::stri
   return result;
 }
 
-Amplification amplification(const Program& program, const Values& given, Damping damping) {
+Amplification amplification(const Program& program, const Values& given, Damping damping,
+                            FreeFunctions functions) {
   const Fraction c = damping == Damping::viscous ? Fraction::letter(kDamping) : Fraction();
   const auto is_number = [](const ExtraLetters::Extra& e) { return e.root != nullptr; };
   StepMap map = step_map(lower(program, given), -1, Fraction::letter(kStiffness), c);
   // exp and pow of parameters are no rational functions; of the parameters' values they may be numbers.
-  if (!std::ranges::all_of(map.extras, is_number))
+  if (functions == FreeFunctions::evaluated && !std::ranges::all_of(map.extras, is_number))
     map = step_map(lower(program, parameter_values(program, given)), -1, Fraction::letter(kStiffness), c);
   std::vector<AlgebraicLetter> algebraic;
   for (const ExtraLetters::Extra& e : map.extras) {
+    if (!e.root && functions == FreeFunctions::letters) continue;
     if (!e.root)
       throw Unable("the step of " + program.name + " contains " + e.name +
-                   ", which is no rational function of the step");
+                   ", which depends on the length of the step itself");
     algebraic.push_back({e.letter, *e.root});
   }
   const NumberField field(map.generators);

@@ -50,11 +50,18 @@ Amplification amplification(SquareMatrix<Fraction> matrix, std::vector<std::stri
 
 enum class Damping { none, viscous };
 
+/// What becomes of exp and pow of parameters, which are no rational functions of the step.
+enum class FreeFunctions {
+  evaluated,  ///< the parameters get their values, which must make numbers of them
+  letters,    ///< letters of their own, as in closed forms
+};
+
 /// param   program  run once per step; frames of several substeps: see `repeated`
 /// throws  Unable  when the step depends on t, or has too many free parameters;  Undefined  when a stage is
 /// singular
 Amplification amplification(const Program& program, const Values& given = {},
-                            Damping damping = Damping::none);
+                            Damping damping = Damping::none,
+                            FreeFunctions functions = FreeFunctions::evaluated);
 
 /// Of a frame of `count` steps, each of 1/count of the frame's h.
 Amplification repeated(const Amplification& step, int count);

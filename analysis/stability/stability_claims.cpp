@@ -18,22 +18,23 @@ namespace {
 /// The letter of z = h w; a step's matrix does not contain the letter of time.
 constexpr Letter kPhase = kTimeLetter;
 
-/// A claim's expression as a function of z and the parameters, in units of the step (h = 1).
+/// A claim's expression as a function of z and the parameters, in units of the step (h = 1). Functions keep
+/// their h, as they do in the step: pow(1 - c, h) is a letter.
 Fraction value_of(const Claim& claim, const Program& program, ExtraLetters& extras) {
   FormulaScalars scalars = formula_scalars(program, {}, &extras);
-  scalars["h"] = Fraction(1);
-  scalars["w"] = scalars["z"] = Fraction::letter(kPhase);
+  scalars["z"] = Fraction::letter(kPhase);
+  scalars["w"] = Fraction::letter(kPhase) / Fraction::letter(kStepLetter);
   // Formulas are vectors: the coefficient of x0 is the number.
   const Expr vector = binary(Expression::Op::multiply, claim.value, name("x0"));
   const Motion motion = evaluated(vector, scalars, 0, &extras);
   if (!motion[0].is_polynomial()) throw Unable("the claim '" + print(claim.value) + "' depends on n");
-  return motion[0].polynomial();
+  return motion[0].polynomial().substitute(kStepLetter, Fraction(1));
 }
 
 ClaimVerdict matrix_verdict(const Program& program, const Claim& claim) {
   const StepMap map = step_map(lower(program), -1, Fraction::letter(kStiffness));
   const NumberField field(map.generators);
-  const Amplification a = amplification(program);
+  const Amplification a = amplification(program, {}, Damping::none, FreeFunctions::letters);
   const Fraction found = (claim.word == "trace" ? a.trace() : a.determinant())
                              .substitute(kStiffness, Fraction::letter(kPhase, 2));
   const Fraction claimed = value_of(claim, program, *map.force.extras);
