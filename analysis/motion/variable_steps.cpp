@@ -27,8 +27,18 @@ Fraction letter(Letter l) { return Fraction::letter(l); }
 /// A step run in letters under a constant acceleration.
 struct LetterRun {
   explicit LetterRun(const Tape& tape, const Fraction& h)
-      : states(static_cast<int>(tape.states.size())), force{states, 0, {}, {}}, run(tape, force, h) {
+      : states(static_cast<int>(tape.states.size())),
+        force{states, 0, {}, {}, std::make_shared<ExtraLetters>(letter_names(tape))},
+        run(tape, force, h) {
     run.begin(LinearForm::column(0), LinearForm::column(1), 0);
+  }
+
+  /// One step; only its own letters may be left in it.
+  void step() {
+    run.step();
+    for (const ExtraLetters::Extra& e : force.extras->all())
+      throw Unable("the step contains " + e.name + (e.root ? ", an irrational number" : "") +
+                   ": steps of different lengths are not followed in letters then");
   }
 
   LinearForm acceleration(const Fraction& coefficient) const {
@@ -40,6 +50,7 @@ struct LetterRun {
   }
 
   int states;
+  NumberField field;  ///< learns of the roots that the step takes
   LinearForce force;
   Run<LinearForce> run;
 };
@@ -78,7 +89,7 @@ class Settled {
  private:
   bool dropped_one(LetterRun& r) {
     put(r, LinearForm::column(0), LinearForm::column(1));
-    r.run.step();
+    r.step();
     for (int i = 2; i < r.states; ++i) {
       auto& c = multiple_[static_cast<std::size_t>(i)];
       if (!c || r.run.state(i) == r.acceleration(*c)) continue;
@@ -168,7 +179,7 @@ bool proved(const Tape& tape, const VariableStepLaw& law, const Settled& settled
   if (!(x == position(r, law, t, squares) + r.acceleration(law.read_position * h * h)) ||
       !(v == velocity(r, law, t) + r.acceleration(law.read_velocity * h)))
     return false;
-  r.run.step();
+  r.step();
   return r.run.state(0) == position(r, law, t + h, squares + h * h) &&
          r.run.state(1) == velocity(r, law, t + h) && settled.holds(r);
 }
@@ -183,7 +194,7 @@ VariableSteps of_tape(const Tape& tape) {
 
   settled.put(r, LinearForm::column(0), LinearForm::column(1));
   const auto [read_x, read_v] = r.run.read_out();
-  r.run.step();
+  r.step();
   const LinearForm step_x = r.run.state(0), step_v = r.run.state(1);
 
   Row sx(tape, start_x, "at the start the position", kFirstStep);
@@ -249,7 +260,7 @@ std::vector<Expr> unrolled_shortfalls(const Program& program, int frames, const 
   Fraction t;
   for (int k = 1; k <= frames; ++k) {
     r.run.set_step(letter(length(k)));
-    r.run.step();
+    r.step();
     t += letter(length(k));
     const LinearForm missing = r.form(1, t, kHalf * t * t) - r.run.read_out().first;
     Expr sum = number(0);

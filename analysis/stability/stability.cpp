@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/stability/stability.hpp"
 
+#include <algorithm>
 #include <functional>
 
 #include "analysis/algebra/error.hpp"
@@ -19,11 +20,27 @@ void map_edges(Windows& windows, const std::function<RealRoot(const RealRoot&)>&
   }
 }
 
+/// A number with a dimension, such as a damping per second, must be 0 or not occur in the step at all, as a
+/// speed limit does not.
 void check_dimensions(const Program& program, const Values& parameters) {
+  const auto plain = [&](const Parameter& p) {
+    return p.dimension == kPure || parameters.at(p.name).is_zero();
+  };
+  Values fixed;
   for (const Parameter& p : program.parameters)
-    if (!(p.dimension == kPure) && !parameters.at(p.name).is_zero())
-      throw Unable("the step of " + program.name + " depends on h not only through h w and c h, because " +
-                   p.name + " " + p.dimension.bracketed() + " is not 0: give --param " + p.name + "=0");
+    if (plain(p)) fixed[p.name] = parameters.at(p.name);
+  if (fixed.size() == program.parameters.size()) return;
+  const Amplification a = amplification(program, fixed, Damping::none, FreeFunctions::letters);
+  for (std::size_t i = 0; i < program.parameters.size(); ++i) {
+    const Parameter& p = program.parameters[i];
+    const auto has_it = [&](const Fraction& f) {
+      return f.contains(kFirstParameter + static_cast<Letter>(i));
+    };
+    for (const auto& row : a.matrix)
+      if (!plain(p) && std::ranges::any_of(row, has_it))
+        throw Unable("the step of " + program.name + " depends on h not only through h w and c h, because " +
+                     p.name + " " + p.dimension.bracketed() + " is not 0: give --param " + p.name + "=0");
+  }
 }
 
 Windows windows_of(const Amplification& a, int substeps) {

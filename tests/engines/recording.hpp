@@ -29,10 +29,10 @@ struct Recording {
   double mass = 1;
   double damping = 0;  ///< the number given to the engine, per second; meaningless when default_damping
   bool default_damping = false;
-  int substeps = 0;          ///< 0: the engine's own default
-  bool smears = false;       ///< PhysX: external forces in every iteration of its TGS solver
+  int substeps = 0;               ///< 0: the engine's own default
+  bool smears = false;            ///< PhysX: external forces in every iteration of its TGS solver
   bool explicit_damping = false;  ///< MuJoCo's Euler with its implicit damping switched off
-  double maximal_speed = 0;  ///< 0: the engine's own default
+  double maximal_speed = 0;       ///< 0: the engine's own default
   Triple gravity{};
   Triple launch{};            ///< the velocity that was set, or the impulse over the mass
   Triple force{};             ///< a constant force in newtons

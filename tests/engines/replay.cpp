@@ -66,8 +66,8 @@ Values values(const Recording& r, const Program& program) {
   Values result;
   // The interfaces take the number in the engine's precision.
   const double c = r.precision == "float32" ? static_cast<float>(damping(r)) : damping(r);
-  if (!r.default_damping) result["c"] = Rational::from_double(c);
-  if (r.explicit_damping) result["d"] = Rational(0);
+  if (!r.default_damping && program.parameter("c") != nullptr) result["c"] = Rational::from_double(c);
+  if (r.explicit_damping && program.parameter("d") != nullptr) result["d"] = Rational(0);
   if (r.substeps != 0 && program.parameter("N") != nullptr) result["N"] = Rational(r.substeps);
   if (r.maximal_speed != 0 && program.parameter("S") != nullptr)
     result["S"] = Rational::from_double(r.maximal_speed);
@@ -102,10 +102,9 @@ std::string difference(const Recording::Row& computed, const Recording::Row& rec
 }
 
 template <class S, class C>
-void run(const Recording& r, const Engine& engine, Outcome& outcome) {
-  const Program program = find_integrator(engine.integrator);
+void run(const Recording& r, const Program& program, Adding adding, Outcome& outcome) {
   const Tape tape = lower(program, values(r, program));
-  EngineWorld<S, C> world{r, engine.adding};
+  EngineWorld<S, C> world{r, adding};
   Run<EngineWorld<S, C>> body(tape, world, S(r.step(1)));
   body.begin(world.vector(r.rows[0].x), world.vector(r.rows[0].v), S(0));
   if (r.impulsive()) body.give_impulse(world.vector(r.launch));
@@ -128,20 +127,24 @@ void run(const Recording& r, const Engine& engine, Outcome& outcome) {
 
 }  // namespace
 
-Outcome replay(const Recording& r) {
+Outcome replay(const Recording& r, const Program& program) {
   Outcome outcome{r.file, r.engine, {}, r.claimed, false, r.rows.size(), {}, other_subject(r)};
   if (!outcome.reason.empty()) return outcome;
-  const Engine known = engine(r);
-  outcome.integrator = known.integrator;
+  const Adding adding = engine(r).adding;
+  outcome.integrator = program.name;
   if (r.precision == "float32")
-    run<float, float>(r, known, outcome);
+    run<float, float>(r, program, adding, outcome);
   else if (r.precision == "float64")
-    run<double, double>(r, known, outcome);
+    run<double, double>(r, program, adding, outcome);
   else if (r.precision == "float64-stored32")
-    run<double, float>(r, known, outcome);
+    run<double, float>(r, program, adding, outcome);
   else
     throw BadInput(r.file + ": no precision is called '" + r.precision + "'");
   return outcome;
 }
+
+Outcome replay(const Recording& r) { return replay(r, find_integrator(integrator_of(r))); }
+
+std::string integrator_of(const Recording& r) { return engine(r).integrator; }
 
 }  // namespace shortfall::engines

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "analysis/program/program.hpp"
 #include "tests/engines/recording.hpp"
 
 namespace shortfall::engines {
@@ -25,6 +26,14 @@ struct Outcome {
 ///
 /// throws  BadInput  for an engine or a precision that is not known
 Outcome replay(const Recording& recording);
+
+/// Runs another program in place of the engine's own.
+Outcome replay(const Recording& recording, const Program& program);
+
+/// The name in the catalogue of the engine that was recorded.
+///
+/// throws  BadInput  for an engine that is not known
+std::string integrator_of(const Recording& recording);
 
 /// The outcomes engine by engine, and below, what is not exact and why.
 std::string table(const std::vector<Outcome>& outcomes);

@@ -60,11 +60,12 @@ TEST_CASE("results are formulas of the language: they can be read back and mean 
   for (const Program& p : catalogue()) {
     CAPTURE(p.name);
     const Derivation d = derivation(p, 2, {}, 1, false);
+    ExtraLetters* const extras = d.map.force.extras.get();
     const Names names = formula_names(p, 2);
     const Expr x = parse_formula(print(d.position), "x", names, {Sort::vector, kLength});
     const Expr v = parse_formula(print(d.shortfall_velocity), "v", names, {Sort::vector, kVelocity});
-    CHECK(is_zero(evaluated(x, formula_scalars(p), 2) - d.form.position));
-    CHECK(is_zero(evaluated(v, formula_scalars(p), 2) - d.shortfall_velocity_motion));
+    CHECK(is_zero(evaluated(x, formula_scalars(p, {}, extras), 2, extras) - d.form.position));
+    CHECK(is_zero(evaluated(v, formula_scalars(p, {}, extras), 2, extras) - d.shortfall_velocity_motion));
   }
 }
 

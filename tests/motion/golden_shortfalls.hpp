@@ -54,8 +54,8 @@ struct GoldenShortfall {
     for (std::size_t i = 0; i < lines.size(); i += 2) {
       const Values given = i == 0 ? Values() : parameter_values(program);
       const CubicShortfall found(program, given);
-      if (found.oscillates || !is_zero(motion(lines[i], program, given, kLength) - found.x) ||
-          !is_zero(motion(lines[i + 1], program, given, kVelocity) - found.v))
+      if (found.oscillates || !is_zero(motion(lines[i], program, given, kLength, found) - found.x) ||
+          !is_zero(motion(lines[i + 1], program, given, kVelocity, found) - found.v))
         return false;
     }
     return true;
@@ -63,10 +63,11 @@ struct GoldenShortfall {
 
  private:
   static Motion motion(const std::string& text, const Program& program, const Values& given,
-                       Dimension dimension) {
+                       Dimension dimension, const CubicShortfall& found) {
     const Names names = formula_names(program, CubicShortfall::kDegree);
     return evaluated(parse_formula(text, "shortfalls.txt", names, {Sort::vector, dimension}),
-                     formula_scalars(program, given), CubicShortfall::kDegree);
+                     formula_scalars(program, given, found.map.force.extras.get()), CubicShortfall::kDegree,
+                     found.map.force.extras.get());
   }
 };
 

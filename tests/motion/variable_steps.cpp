@@ -2,6 +2,7 @@
 // Steps of any lengths under a constant acceleration. Truth is plain stepping with rational numbers, written
 // out here for the methods known by hand, by the interpreter for the others.
 #include "analysis/motion/variable_steps.hpp"
+#include "analysis/program/catalogue.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -12,11 +13,11 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/problems/numbers.hpp"
-#include "analysis/program/catalogue.hpp"
 #include "analysis/program/parse.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/run.hpp"
 #include "analysis/program/transform.hpp"
+#include "tests/undamped_catalogue.hpp"
 
 namespace shortfall {
 namespace {
@@ -149,7 +150,8 @@ TEST_CASE("what start or finish add counts too: alpha = 1/2 alone is not exact")
 
 TEST_CASE("the law is what stepping does, for the whole catalogue and random lists") {
   CHECK(rc::check([] {
-    const Program program = substepped(*rc::gen::elementOf(catalogue()), *rc::gen::element(1, 1, 3));
+    const Program program =
+        substepped(*rc::gen::elementOf(testing::undamped_catalogue()), *rc::gen::element(1, 1, 3));
     const VariableSteps steps = variable_steps(program, parameter_values(program));
     if (!steps.law) {
       RC_ASSERT(!steps.reason.empty());
@@ -235,7 +237,7 @@ TEST_CASE("what is said to be exact for every list is so for random ones, and no
   const std::vector<Steps> lists = {{Rational(1, 50), Rational(1, 20), Rational(1, 70), Rational(1, 9)},
                                     {Rational(1, 3), Rational(1, 100), Rational(1, 7), Rational(1, 50), 2}};
   int exact = 0;
-  for (const Program& program : catalogue()) {
+  for (const Program& program : testing::undamped_catalogue()) {
     CAPTURE(program.name);
     bool always = true;
     for (const Steps& list : lists) {
@@ -256,7 +258,7 @@ TEST_CASE("what is said to be exact for every list is so for random ones, and no
 }
 
 TEST_CASE("with its square term a step is exact for every list") {
-  for (const Program& original : catalogue())
+  for (const Program& original : testing::undamped_catalogue())
     for (int count : {1, 3}) {
       const Program program = substepped(original, count);
       const VariableSteps steps = variable_steps(program);

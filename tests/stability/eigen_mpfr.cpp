@@ -11,6 +11,7 @@
 #include "analysis/problems/letters.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/stability/stability.hpp"
+#include "tests/undamped_catalogue.hpp"
 
 using namespace shortfall;
 
@@ -45,7 +46,7 @@ TEST_CASE(
   const Precision precision(kDigits);
   const Real one = real(Rational(1), kDigits), tiny = real(Rational(1) / Rational(10).pow(40), kDigits);
   int checked = 0;
-  for (const Program& p : catalogue()) {
+  for (const Program& p : testing::undamped_catalogue()) {
     const auto limit = stability_limit(p);
     if (!limit || limit->compare(0) == 0) continue;
     CAPTURE(p.name);
