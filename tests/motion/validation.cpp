@@ -21,6 +21,9 @@ constexpr int kHighestDegree = 6;
 constexpr int kSteps = 12;
 constexpr int kDigits = 100;
 
+/// Whether letters stand for pow(1 - c, h) and the like, which have no value in rational numbers.
+bool calls_functions(const Program& program) { return !step_map(lower(program), 0).extras.empty(); }
+
 /// Everything that is a letter in a closed form, as numbers.
 struct Trial {
   Rational x0, v0, h;
@@ -32,14 +35,20 @@ struct Trial {
     for (int d = 0; d <= degree; ++d) force.push_back(chance.rational());
     // Some parameters get values, the others keep their defaults, also those that follow from others and
     // those that rational numbers cannot follow.
-    const std::vector<ExtraLetters::Extra> extras = step_map(lower(program), 0).extras;
+    if (calls_functions(program)) {
+      parameters = parameter_values(program);
+      return;
+    }
     const Tape tape = lower(program);
     for (std::size_t i = 0; i < program.parameters.size(); ++i) {
       const std::string& name = program.parameters[i].name;
-      if (!extras.empty() || !chance.once_in(2)) continue;
-      // What is assumed of a damping holds for small ones.
-      const Rational unit = program.assumptions.empty() ? Rational(1) : Rational(1, 1000);
-      parameters[name] = tape.parameters[i].fixed ? Rational(chance.number(1, 3)) : unit * chance.rational();
+      if (tape.parameters[i].fixed)
+        parameters[name] = chance.number(1, 3);
+      else if (!program.assumptions
+                    .empty())  // formulas divide by a damping; what is assumed holds for small ones
+        parameters[name] = Rational(chance.number(1, 9), 1000);
+      else if (chance.once_in(2))
+        parameters[name] = chance.rational();
     }
   }
 };
@@ -122,7 +131,8 @@ void validate(const Program& program, const ClosedForm& form, const Trial& trial
 void validate_letters(const Program& program, int degree, Chance& chance, int trials, Count& count) {
   CAPTURE(program.name);
   CAPTURE(degree);
-  const ClosedForm form = closed_form(step_map(lower(program), degree));
+  const Values given = calls_functions(program) ? parameter_values(program) : Values();
+  const ClosedForm form = closed_form(step_map(lower(program, given), degree));
   for (int k = 0; k < trials; ++k) {
     Trial trial(chance, program, degree);
     // A default that follows from others is no letter, nor is a number of substeps: they must not be given.
