@@ -3,9 +3,13 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
+#include "analysis/algebra/error.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/print.hpp"
+#include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 
@@ -23,10 +27,29 @@ std::string first_sentence(const std::string& description) {
   return text;
 }
 
-std::string as_text() {
+std::vector<std::string> families() {
+  std::vector<std::string> names;
+  for (const Program& p : catalogue())
+    if (names.empty() || names.back() != family(p)) names.push_back(family(p));
+  return names;
+}
+
+/// The integrators of one family, or all.
+std::vector<Program> chosen(const std::string& wanted) {
+  std::vector<Program> programs;
+  for (const Program& p : catalogue())
+    if (wanted.empty() || family(p) == wanted) programs.push_back(p);
+  if (!programs.empty()) return programs;
+  const std::vector<std::string> names = families();
+  std::string hint = did_you_mean(wanted, names);
+  if (hint.empty()) hint = "; there are " + fmt::format("{}", fmt::join(names, ", "));
+  throw BadInput("unknown family '" + wanted + "'" + hint);
+}
+
+std::string as_text(const std::vector<Program>& programs) {
   std::string text;
   std::string group;
-  for (const Program& p : catalogue()) {
+  for (const Program& p : programs) {
     if (family(p) != group) {
       group = family(p);
       text += (text.empty() ? "" : "\n") + group + "\n";
@@ -36,9 +59,9 @@ std::string as_text() {
   return text + "\nshortfall show NAME prints one; shortfall new integrator FILE begins one of your own.\n";
 }
 
-std::string as_json() {
+std::string as_json(const std::vector<Program>& programs) {
   nlohmann::ordered_json json{{"schema", "shortfall.list/1"}, {"integrators", nlohmann::json::array()}};
-  for (const Program& p : catalogue()) {
+  for (const Program& p : programs) {
     nlohmann::ordered_json parameters = nlohmann::json::array();
     for (const Parameter& parameter : p.parameters)
       parameters.push_back({{"name", parameter.name}, {"default", print(parameter.fallback)}});
@@ -55,10 +78,15 @@ std::string as_json() {
 
 void add_list(CLI::App& app, int&) {
   CLI::App* command = new_command(app, "Set-up", "list", "The integrators that come with shortfall.",
-                                  {"list", "list --json"});
+                                  {"list", "list engines", "list --json"});
   auto q = std::make_shared<Question>();
+  auto wanted = std::make_shared<std::string>();
+  command->add_option("FAMILY", *wanted, "One family: engines, verlet, ...");
   add_json(*command, *q);
-  command->callback([q] { write_output(q->json ? as_json() : as_text()); });
+  command->callback([q, wanted] {
+    const std::vector<Program> programs = chosen(*wanted);
+    write_output(q->json ? as_json(programs) : as_text(programs));
+  });
 }
 
 }  // namespace shortfall::cli

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 #include <set>
 #include <string>
@@ -71,6 +72,40 @@ TEST_CASE("what does not agree is a body asleep, a joint, or not the engine's ow
     CAPTURE(r.file);
     CHECK_FALSE(r.claimed);
     CHECK((outcome.integrator.empty() || outcome.reason.find("to sleep") != std::string::npos));
+  }
+}
+
+TEST_CASE("every engine's file says with how many recordings it was compared, at least those here") {
+  for (const Program& program : catalogue()) {
+    if (family(program) != "engines") continue;
+    CAPTURE(program.name);
+    int free = 0, exactly = 0;
+    for (const Recording& r : samples_of(program.name)) {
+      const Outcome outcome = replay(r);
+      free += !outcome.integrator.empty();
+      exactly += outcome.exact;
+    }
+    const std::size_t at = program.description.find("Compared with ");
+    if (free == 0) {
+      CHECK(at == std::string::npos);
+      CHECK(program.description.find("Not compared with a recording") != std::string::npos);
+      continue;
+    }
+    REQUIRE(at != std::string::npos);
+    const std::string fact = program.description.substr(at);
+    int all = 0, agree = 0;
+    REQUIRE(std::sscanf(fact.c_str(), "Compared with %d", &all) == 1);
+    if (fact.find("all agree to the last bit") == std::string::npos) {
+      const std::size_t colon = fact.find(": ");
+      REQUIRE(std::sscanf(fact.c_str() + colon, ": %d", &agree) == 1);
+    } else {
+      agree = all;
+      CHECK(exactly == free);
+    }
+    CHECK(agree <= all);
+    CHECK(all >= free);
+    CHECK(agree >= exactly);
+    CHECK(all - agree >= free - exactly);
   }
 }
 

@@ -157,8 +157,8 @@ TEST_CASE(
   for (const Program& program : testing::undamped_catalogue())
     for (int degree = 0; degree <= kHighestDegree; ++degree)
       validate_letters(program, degree, chance, 4, count);
-  CHECK(count.exact >= 27 * 7 * 4 * kSteps * 9 / 10);
-  CHECK(count.undefined <= 10);
+  CHECK(count.exact >= 44 * 7 * 4 * kSteps * 9 / 10);
+  CHECK(count.undefined <= 16);
 }
 
 TEST_CASE("closed forms with parameters that the user gives agree with stepping") {
