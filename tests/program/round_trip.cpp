@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
+
 #include <rapidcheck.h>
+#include <algorithm>
 
 #include <bit>
 
@@ -69,6 +71,9 @@ TEST_CASE("every integrator of the catalogue is printed as a file that reads as 
     const Program again = parse(print(program), "printed.integrator");
     CHECK(same(again, program));
     CHECK(print(again) == print(program));
+    // The language has no substeps within substeps.
+    if (std::ranges::find(program.step, Statement::Kind::substeps, &Statement::kind) != program.step.end())
+      continue;
     const Program shorter = substepped(program, 3);
     CHECK(same(parse(print(shorter), "printed.integrator"), shorter));
   }
