@@ -27,7 +27,7 @@ void describe(CLI::App& app) {
 std::string help(const CLI::App& app) {
   const CLI::App* asked = &app;
   while (!asked->get_subcommands().empty()) asked = asked->get_subcommands().front();
-  return asked->help();
+  return asked == &app ? asked->help() : asked->help("shortfall");
 }
 
 std::string unknown_word(const CLI::App& app, int argc, const char* const* argv) {

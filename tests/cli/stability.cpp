@@ -159,7 +159,9 @@ TEST_CASE("bad input: one sentence each, and the exit code") {
   said("nonsense", 2, "unknown integrator 'nonsense'");
   said("newmark --param bta=0", 2, "did you mean 'beta'?");
   said("newmark --param beta=1/0", 2, "division by zero");
-  said("rk4 --substeps 0", 2, "1 to 10000");
+  for (const char* count : {"0", "-1", "10001", "two", "1.5", "2x", "99999999999999999999"})
+    said(std::string("rk4 --substeps ") + count, 2,
+         std::string("--substeps: '") + count + "' is not a whole number from 1 to 10000\n");
   said("rk4 --plot rk4.jpg", 2, ".svg, .png or .pdf");
   said("generalised-alpha --param rho=-1", 4, "the default alpha_m = (2*rho - 1)/(rho + 1) has no value");
   // A stage that no acceleration solves, under any oscillation.
