@@ -26,9 +26,10 @@ Fraction letter(Letter l) { return Fraction::letter(l); }
 
 /// A step run in letters under a constant acceleration.
 struct LetterRun {
-  explicit LetterRun(const Tape& tape, const Fraction& h)
+  /// param   names  of all letters that the run begins with
+  LetterRun(const Tape& tape, const Fraction& h, std::vector<std::string> names)
       : states(static_cast<int>(tape.states.size())),
-        force{states, 0, {}, {}, std::make_shared<ExtraLetters>(letter_names(tape))},
+        force{states, 0, {}, {}, std::make_shared<ExtraLetters>(std::move(names))},
         run(tape, force, h) {
     run.begin(LinearForm::column(0), LinearForm::column(1), 0);
   }
@@ -169,7 +170,7 @@ LinearForm velocity(const LetterRun& r, const VariableStepLaw& law, const Fracti
 
 /// Induction on n, with the step itself: the start gives n = 0, one step leads from n to n + 1.
 bool proved(const Tape& tape, const VariableStepLaw& law, const Settled& settled) {
-  LetterRun r(tape, letter(kFirstStep));
+  LetterRun r(tape, letter(kFirstStep), letter_names(tape));
   if (!(r.run.state(0) == position(r, law, 0, 0)) || !(r.run.state(1) == velocity(r, law, 0)) ||
       !settled.holds(r))
     return false;
@@ -187,7 +188,7 @@ bool proved(const Tape& tape, const VariableStepLaw& law, const Settled& settled
 VariableSteps of_tape(const Tape& tape) {
   VariableStepLaw law;
   law.letters = letter_names(tape);
-  LetterRun r(tape, letter(kFirstStep));
+  LetterRun r(tape, letter(kFirstStep), letter_names(tape));
   const int a = r.force.force_column(0);
   const LinearForm start_x = r.run.state(0), start_v = r.run.state(1);
   const Settled settled(r);
@@ -256,7 +257,7 @@ std::vector<Expr> unrolled_shortfalls(const Program& program, int frames, const 
   for (int k = 1; k <= frames; ++k) names[static_cast<std::size_t>(length(k))] = "h_" + std::to_string(k);
   std::vector<Expr> result;
   if (frames < 1) return result;
-  LetterRun r(tape, letter(length(1)));
+  LetterRun r(tape, letter(length(1)), names);
   Fraction t;
   for (int k = 1; k <= frames; ++k) {
     r.run.set_step(letter(length(k)));
