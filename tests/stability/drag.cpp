@@ -58,7 +58,7 @@ TEST_CASE(
 TEST_CASE("the factor and its signs agree with one step of every integrator, in binary64") {
   int compared = 0;
   for (const Program& p : testing::undamped_catalogue()) {
-    const Drag d = of(p.name.c_str());
+    const Drag d = drag(amplification(p, parameter_values(p), Damping::viscous));
     if (!d.factor) continue;
     CAPTURE(p.name);
     // Carried accelerations and the like have no meaning for a velocity that starts alone.
