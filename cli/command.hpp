@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,7 @@ struct Question {
   std::string force = "constant";
   std::string dt = "1/50";
   std::string g = "9.81";
-  int substeps = 1;
+  std::optional<int> substep_count;  ///< of --substeps
   std::vector<std::string> parameters;
   bool json = false;
   bool latex = false;
@@ -37,7 +38,10 @@ struct Question {
   std::string output;
 
   Program program() const;   ///< throws BadInput, SyntaxError
-  Values values() const;     ///< throws BadInput
+  /// Of --param; and of --substeps, where the program counts its own substeps with a parameter.
+  Values values() const;  ///< throws BadInput, SyntaxError
+  /// How many steps of h/N make a frame; 1 where --substeps sets a parameter of the program.
+  int substeps() const;      ///< throws BadInput, SyntaxError
   Rational step() const;     ///< dt in seconds; throws BadInput
   Rational gravity() const;  ///< in m/s^2, positive downwards; throws BadInput
 };

@@ -26,14 +26,14 @@ std::string as_code(const Question& q, const std::string& word) {
                    did_you_mean(word, language_names()));
   const int degree = force_degree(q.force);
   if (degree == 0)
-    return jump_code(Flight(q.program(), q.step(), q.substeps, q.values()), q.gravity(), *language);
-  const Derivation d = derivation(q.program(), degree, q.values(), q.substeps, false);
+    return jump_code(Flight(q.program(), q.step(), q.substeps(), q.values()), q.gravity(), *language);
+  const Derivation d = derivation(q.program(), degree, q.values(), q.substeps(), false);
   return kit_code(correction_kit(d), d, *language);
 }
 
 int correct_linear(const Question& q, const Force& force) {
   const Program program = q.program();
-  const LinearKit kit = linear_kit(program, force, q.values(), q.substeps);
+  const LinearKit kit = linear_kit(program, force, q.values(), q.substeps());
   const Style style = q.ascii ? Style::language : Style::unicode;
   // With numbers for the letters there are numbers to type in, too.
   std::optional<KitNumbers> numbers;
@@ -46,7 +46,7 @@ int correct_linear(const Question& q, const Force& force) {
     }
   }
   if (q.json) {
-    auto json = as_json(kit, linear_derivation(program, force, q.values(), q.substeps));
+    auto json = as_json(kit, linear_derivation(program, force, q.values(), q.substeps()));
     json["dt"] = q.step().str();
     json["numbers"] = numbers ? as_json(*numbers) : nlohmann::ordered_json(nullptr);
     json["numbers_obstruction"] =
@@ -63,7 +63,7 @@ int correct_linear(const Question& q, const Force& force) {
 
 int correct(const Question& q) {
   if (const Force force = force_named(q.force); force.linear()) return correct_linear(q, force);
-  const Derivation d = derivation(q.program(), force_degree(q.force), q.values(), q.substeps, false);
+  const Derivation d = derivation(q.program(), force_degree(q.force), q.values(), q.substeps(), false);
   const CorrectionKit kit = correction_kit(d);
   if (q.json) {
     write_output(as_json(kit, d).dump(2) + "\n", q.output);

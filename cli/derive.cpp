@@ -23,8 +23,8 @@ constexpr int kHighestWithDerivation = 30;  // nobody reads the lines of a highe
 
 int derive_linear(const Question& q, const Force& force) {
   const Program program = q.program();
-  const LinearDerivation d = linear_derivation(program, force, q.values(), q.substeps);
-  const LinearKit kit = linear_kit(program, force, q.values(), q.substeps);
+  const LinearDerivation d = linear_derivation(program, force, q.values(), q.substeps());
+  const LinearKit kit = linear_kit(program, force, q.values(), q.substeps());
   if (q.json)
     write_output(as_json(d, kit).dump(2) + "\n", q.output);
   else if (q.latex)
@@ -43,7 +43,7 @@ int derive(const Question& q) {
   if (force.linear()) return derive_linear(q, force);
   const int degree = force_degree(q.force);
   const Derivation d =
-      derivation(q.program(), degree, q.values(), q.substeps, degree <= kHighestWithDerivation);
+      derivation(q.program(), degree, q.values(), q.substeps(), degree <= kHighestWithDerivation);
   CorrectionKit kit;
   const bool with_kit = degree <= kHighestWithKit;
   if (with_kit) kit = correction_kit(d);

@@ -56,7 +56,7 @@ int derive_numbers(const Question& q, const NumbersOptions& o) {
   // The constant force is gravity unless it is given.
   if (n.force.degree == 0 && !n.force.push.contains(0)) n.force.push[0] = -q.gravity();
   n.parameters = q.values();
-  n.substeps = q.substeps;
+  n.substeps = q.substeps();
   n.h = q.step();
   n.x0 = quantity(o.x0, Unit::length, "--x0");
   n.v0 = quantity(o.v0, Unit::none, "--v0");

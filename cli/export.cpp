@@ -22,7 +22,7 @@ int export_derivation(const Question& q, bool as_notebook) {
                  "; derive goes up to degree 200");
   const Program program = q.program();
   const Values values = q.values();
-  const Derivation d = derivation(program, degree, values, q.substeps);
+  const Derivation d = derivation(program, degree, values, q.substeps());
   const CorrectionKit kit = correction_kit(d);
   write_output(as_notebook ? notebook(program, values, d, kit) : as_latex(d, &kit), q.output);
   return d.proved() ? kDone : kBug;

@@ -5,6 +5,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/jump.hpp"
+#include "analysis/program/catalogue.hpp"
 #include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
 #include "cli/jump_frames.hpp"
@@ -20,7 +21,11 @@ namespace {
 struct JumpOptions : Question {
   std::string height;
   std::string language;
+  std::string launch = "velocity";
+  bool all_engines = false;
   FrameOptions frames;
+
+  LaunchBy by() const { return launch == "impulse" ? LaunchBy::impulse : LaunchBy::velocity; }
 };
 
 /// The unit in which the user gave the height; empty for a bare number.
@@ -48,7 +53,7 @@ void jump_over_frames(const JumpOptions& o, const std::vector<Rational>& heights
                                         {.height = heights.front(),
                                          .steps = {},
                                          .g = o.gravity(),
-                                         .substeps = o.substeps,
+                                         .substeps = o.substeps(),
                                          .parameters = o.values(),
                                          .fixed_dt = o.step()});
   if (!o.language.empty()) {
@@ -57,7 +62,7 @@ void jump_over_frames(const JumpOptions& o, const std::vector<Rational>& heights
       throw Undefined("there is no term that makes every step exact, and so no code for it: " +
                       listed.jump.no_term);
     const Flight flight = term ? Flight(term->program, o.step(), 1, o.values())
-                               : Flight(program, o.step(), o.substeps, o.values());
+                               : Flight(program, o.step(), o.substeps(), o.values());
     write_output(jump_code(flight, o.gravity(), language_of(o.language)), o.output);
   } else if (o.json) {
     write_output(frames_json(listed).dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n",
@@ -68,6 +73,28 @@ void jump_over_frames(const JumpOptions& o, const std::vector<Rational>& heights
   }
 }
 
+/// `jump --all-engines`: every engine of the catalogue that can be launched so.
+void jump_of_engines(JumpOptions o, const std::vector<Rational>& heights) {
+  if (heights.size() != 1) throw BadInput("--all-engines takes one --height, no sweep");
+  std::vector<EngineJump> jumps;
+  for (const Program& engine : catalogue()) {
+    if (family(engine) != "engines" || (o.by() == LaunchBy::impulse && !engine.impulse)) continue;
+    o.integrator = engine.name;
+    jumps.push_back(engine_jump(engine, {.height = heights.front(),
+                                         .dt = o.step(),
+                                         .g = o.gravity(),
+                                         .substeps = o.substeps(),
+                                         .parameters = o.values(),
+                                         .binary32_frames = 0,
+                                         .by = o.by()}));
+  }
+  if (jumps.empty()) throw Undefined("no engine of the catalogue can be launched so");
+  if (o.json)
+    write_output(engines_json(jumps).dump(2) + "\n", o.output);
+  else
+    write_output(o.csv ? engines_csv(jumps) : engines_text(jumps, {unit_of(o.height), o.ascii}), o.output);
+}
+
 void jump(const JumpOptions& o) {
   const bool listed = !o.frames.file.empty();
   if (o.height.empty() && (listed || o.language.empty()))
@@ -75,9 +102,11 @@ void jump(const JumpOptions& o) {
   if (o.frames.repeat && !listed) throw BadInput("--repeat goes with --dt-file");
   std::vector<Rational> heights;
   if (!o.height.empty()) heights = sweep(o.height, Unit::length, "--height");
+  if (listed && o.by() == LaunchBy::impulse) throw BadInput("--dt-file sets the velocity: no --launch impulse");
   if (listed) return jump_over_frames(o, heights);
+  if (o.all_engines) return jump_of_engines(o, heights);
   const Rational g = o.gravity();
-  const Flight flight(o.program(), o.step(), o.substeps, o.values());
+  const Flight flight(o.program(), o.step(), o.substeps(), o.values(), o.by());
   if (!o.language.empty()) {
     write_output(jump_code(flight, g, language_of(o.language)), o.output);
     return;
@@ -102,7 +131,8 @@ void add_jump(CLI::App& app, int&) {
       app, "Start here", "jump", "How far a jump falls short, why, and the launch that makes it right.",
       {"jump --height 40cm --dt 0.02", "jump velocity-verlet --height 1.7 --dt 50Hz --json",
        "jump symplectic-euler --height 1.7m --substeps 4", "jump --height 1mm:100m:log:50 --csv",
-       "jump --height 1.7 --dt-file frames.csv", "jump --lang csharp"});
+       "jump godot --height 10m --param c=0.1", "jump rapier --height 1.7 --substeps 8",
+       "jump --all-engines --height 1.7", "jump --height 1.7 --dt-file frames.csv", "jump --lang csharp"});
   auto o = std::make_shared<JumpOptions>();
   add_integrator(*command, *o);
   command->add_option("--height", o->height, "the height to jump to: 40cm, 1.7, or a sweep 1mm:100m:log:50")
@@ -120,6 +150,21 @@ void add_jump(CLI::App& app, int&) {
       ->add_option("--lang", o->language,
                    "the corrected jump as code: csharp, cpp, gdscript, python, rust, javascript")
       ->type_name("L");
+  command
+      ->add_option("--launch", o->launch,
+                   "how the body is launched: its velocity is set, or it is given an impulse, which some engines "
+                   "spread over their substeps")
+      ->capture_default_str()
+      ->type_name("HOW")
+      ->check(CLI::IsMember({"velocity", "impulse"}));
+  command
+      ->add_flag("--all-engines", o->all_engines,
+                 "a table of all engines: how far each falls short, with g dt/2 added to the launch, and what is "
+                 "right")
+      ->excludes("INTEGRATOR")
+      ->excludes("--param")
+      ->excludes("--dt-file")
+      ->excludes("--lang");
   add_json(*command, *o);
   command->add_flag(
       "--csv", o->csv,

@@ -26,7 +26,7 @@ std::string jump_csv(const std::vector<Jump>& jumps) {
       "target_m,launch_m_per_s,best_frame,best_height_m,shortfall_m,method_m,sampling_m,ideal_time_height_m,"
       "parabola_top_m,"
       "lifts_off,correction_m_per_s,corrected_frame,corrected_shortfall_m,on_frame,on_frame_launch_m_per_s,"
-      "binary32_launch_m_per_s,binary32_miss_ulp\n";
+      "binary32_launch_m_per_s,binary32_miss_ulp,damping_m,limit_frame\n";
   for (const Jump& j : jumps) {
     const std::string corrected =
         j.corrected ? fmt::format("{},{},{}", decimal(j.correction.value(j.g)),
@@ -36,11 +36,12 @@ std::string jump_csv(const std::vector<Jump>& jumps) {
         j.on_frame ? j.on_frame->top.n.str() + "," + decimal(j.on_frame->launch) : ",";
     const std::string binary32 =
         j.binary32 ? shortest(j.binary32->launch) + "," + decimal(j.binary32->miss) : ",";
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{}\n", decimal(j.target),
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", decimal(j.target),
                         decimal(j.launch_velocity), j.best_frame.n.str(), decimal(j.best_frame.height),
                         decimal(j.shortfall.total), decimal(j.shortfall.method),
                         decimal(j.shortfall.sampling), decimal_or_empty(j.ideal_time_height),
-                        decimal_or_empty(j.parabola_top), j.lifts_off ? 1 : 0, corrected, on_frame, binary32);
+                        decimal_or_empty(j.parabola_top), j.lifts_off ? 1 : 0, corrected, on_frame, binary32,
+                        decimal(j.shortfall.damping), j.limit ? std::to_string(j.limit->frame) : "");
   }
   return text;
 }

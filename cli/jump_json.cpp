@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "analysis/program/print.hpp"
 #include "cli/jump_render.hpp"
 
@@ -10,12 +12,18 @@ namespace {
 
 constexpr int kDigits = 25;
 
+constexpr std::size_t kLongest = 10'000;  // digits of a fraction
+
+/// A number that is known to many digits, but is no fraction or root that would be worth writing.
+Json rounded(const Surd& value) {
+  return {{"formula", nullptr}, {"decimal", value.significant(kDigits)}, {"digits", kDigits}};
+}
+
 Json exact(const Surd& value) {
+  if (std::max(value.rational_part().digits(), value.root_part().digits()) > kLongest) return rounded(value);
   if (value.is_rational()) return value.rational_part().str();
   return {{"formula", value.str()}, {"decimal", value.significant(kDigits)}, {"digits", kDigits}};
 }
-
-Json exact(const std::optional<Surd>& value) { return value ? exact(*value) : Json(nullptr); }
 
 /// A number where every reader of JSON keeps all its digits, otherwise text.
 Json whole(const Rational& n) {
@@ -24,10 +32,31 @@ Json whole(const Rational& n) {
   return n.fits_int64(value) && value < kSafe ? Json(value) : Json(n.str());
 }
 
-Json frame(const Frame& f) { return {{"n", whole(f.n)}, {"height", exact(f.height)}}; }
+/// As exact as the jump is: where a function was rounded, nothing is.
+Json number(const Jump& jump, const Surd& value) { return jump.rounded.empty() ? exact(value) : rounded(value); }
 
-Json shortfall_of(const JumpShortfall& s) {
-  return {{"total", exact(s.total)}, {"method", exact(s.method)}, {"sampling", exact(s.sampling)}};
+Json number(const Jump& jump, const std::optional<Surd>& value) {
+  return value ? number(jump, *value) : Json(nullptr);
+}
+
+Json frame(const Jump& jump, const Frame& f) {
+  return {{"n", whole(f.n)}, {"height", number(jump, f.height)}};
+}
+
+Json shortfall_of(const Jump& jump, const JumpShortfall& s) {
+  const auto part = [&](const Surd& value) { return jump.drag.is_zero() ? number(jump, value) : rounded(value); };
+  return {{"total", number(jump, s.total)},
+          {"method", part(s.method)},
+          {"sampling", part(s.sampling)},
+          {"damping", part(s.damping)}};
+}
+
+Json limit(const std::optional<LimitMet>& met) {
+  if (!met) return nullptr;
+  return {{"frame", met->frame},
+          {"limit", met->text},
+          {"best_frame",
+           {{"n", met->best_frame}, {"height", {{"format", "binary64"}, {"decimal", met->best_height}}}}}};
 }
 
 Json binary32(float value) {
@@ -48,10 +77,11 @@ Json on_frame(const Jump& jump) {
   if (!jump.on_frame)
     return {{"launch", nullptr}, {"n", nullptr}, {"height", nullptr}, {"reason", jump.no_on_frame}};
   const OnFrame& f = *jump.on_frame;
-  Json json{{"launch", f.launch.str()},
+  Json json{{"launch", number(jump, Surd(f.launch))},
             {"n", whole(f.top.n)},
-            {"height", exact(f.top.height)},
-            {"shortfall", exact(Surd(jump.target) - f.top.height)}};
+            {"height", number(jump, f.top.height)},
+            {"shortfall", number(jump, Surd(jump.target) - f.top.height)},
+            {"limit", limit(jump.on_frame_limit)}};
   if (const auto& b = jump.binary32)
     json["binary32"] = {{"launch", binary32(b->launch)},
                         {"dt", binary32(b->dt)},
@@ -72,25 +102,36 @@ Json body(const Jump& jump) {
             {"substeps", jump.substeps},
             {"dt", jump.dt.str()},
             {"g", jump.g.str()}};
+  json["parameters"] = Json::object();
+  for (const auto& [name, value] : jump.parameters) json["parameters"][name] = value.str();
+  json["launch_by"] = jump.by == LaunchBy::impulse ? "impulse" : "velocity";
+  const bool drag = !jump.drag.is_zero();
+  json["drag"] = jump.drag.digits() > 40 ? rounded(jump.drag) : Json(jump.drag.str());
   json["launch_velocity"] = exact(jump.launch_velocity);
   json["target"] = jump.target.str();
-  json["shortfall"] = shortfall_of(jump.shortfall);
-  json["ideal_time"] = exact(jump.ideal_time);
-  json["ideal_time_height"] = exact(jump.ideal_time_height);
-  json["parabola_top"] = exact(jump.parabola_top);
-  json["best_frame"] = frame(jump.best_frame);
+  json["shortfall"] = shortfall_of(jump, jump.shortfall);
+  json["ideal_time"] = drag ? rounded(jump.ideal_time) : exact(jump.ideal_time);
+  json["exact_top"] = drag ? rounded(jump.exact_top) : exact(jump.exact_top);
+  json["ideal_time_height"] = number(jump, jump.ideal_time_height);
+  json["parabola_top"] = number(jump, jump.parabola_top);
+  json["best_frame"] = frame(jump, jump.best_frame);
+  json["limit"] = limit(jump.limit);
+  if (!jump.limit_unknown.empty()) json["limit_unknown"] = jump.limit_unknown;
   json["tie"] = jump.tie;
   json["lifts_off"] = jump.lifts_off;
   json["correction"] = correction(jump.correction, jump.g);
+  json["launch_for_top"] = number(jump, jump.launch_for_top);
   json["corrected"] = nullptr;
   if (const auto& c = jump.corrected)
     json["corrected"] = {{"launch_velocity", exact(c->launch)},
-                         {"best_frame", frame(c->best_frame)},
-                         {"shortfall", shortfall_of(c->shortfall)},
+                         {"best_frame", frame(jump, c->best_frame)},
+                         {"shortfall", shortfall_of(jump, c->shortfall)},
                          {"exact_at_every_frame", c->exact_at_every_frame}};
   json["on_frame"] = on_frame(jump);
-  json["lift_off_height"] = jump.lift_off.height ? Json(jump.lift_off.height->str()) : Json(nullptr);
+  json["lift_off_height"] =
+      jump.lift_off.height ? number(jump, Surd(*jump.lift_off.height)) : Json(nullptr);
   if (!jump.lift_off.height) json["lift_off_reason"] = jump.lift_off.reason;
+  if (!jump.rounded.empty()) json["rounded_to_100_digits"] = jump.rounded;
   json["units"] = {{"length", "m"}, {"time", "s"}};
   json["sign"] = "shortfall is exact minus computed: positive means too low";
   return json;
@@ -108,6 +149,22 @@ Json jump_json(const std::vector<Jump>& jumps) {
   if (jumps.size() == 1) return jump_json(jumps.front());
   Json json{{"schema", "shortfall.jump/1"}, {"jumps", Json::array()}};
   for (const Jump& j : jumps) json["jumps"].push_back(body(j));
+  return json;
+}
+
+Json engines_json(const std::vector<EngineJump>& jumps) {
+  Json json{{"schema", "shortfall.jump/1"}, {"engines", Json::array()}};
+  for (const EngineJump& e : jumps) {
+    const EngineJump::UsualFix& fix = e.usual_fix;
+    json["engines"].push_back({{"integrator", e.undamped.integrator},
+                               {"undamped", body(e.undamped)},
+                               {"usual_fix",
+                                {{"add", "1/2*g*h"},
+                                 {"launch_velocity", exact(fix.launch)},
+                                 {"best_frame", frame(e.undamped, fix.best_frame)},
+                                 {"shortfall", number(e.undamped, fix.shortfall)}}},
+                               {"default_damping", e.damped ? body(*e.damped) : Json(nullptr)}});
+  }
   return json;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "analysis/correction/jump.hpp"
+#include "analysis/correction/engine_jumps.hpp"
 
 namespace shortfall::cli {
 
@@ -25,6 +25,11 @@ std::string jump_csv(const std::vector<Jump>& jumps);
 /// Schema shortfall.jump/1; metres and seconds. Several jumps: the schema and a list `jumps`.
 nlohmann::ordered_json jump_json(const Jump& jump);
 nlohmann::ordered_json jump_json(const std::vector<Jump>& jumps);
+
+/// All engines: one line each. The CSV is that of the undamped jumps, with the engine first.
+std::string engines_text(const std::vector<EngineJump>& jumps, const JumpWords& words);
+std::string engines_csv(const std::vector<EngineJump>& jumps);
+nlohmann::ordered_json engines_json(const std::vector<EngineJump>& jumps);
 
 /// A binary32 number by the shortest decimal that reads back as itself, and in hexadecimal.
 std::string shortest(float value);

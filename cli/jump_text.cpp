@@ -22,6 +22,7 @@ class Page {
     heading();
     answer();
     if (jump_.lifts_off) parts();
+    limit();
     peaks();
     correction();
     on_frame();
@@ -29,6 +30,10 @@ class Page {
         "\nShortfall = exact - computed: + is too low, - too high. {} marks a rounded number; the others are "
         "exact.\n",
         style_ == Style::unicode ? "≈" : "~");
+    for (const std::string& what : jump_.rounded)
+      text_ += what + " was rounded to 100 digits, and so is everything that follows from it.\n";
+    if (!jump_.drag.is_zero())
+      text_ += "Exponentials of the exact motion were computed to 100 digits.\n";
     return text_;
   }
 
@@ -43,6 +48,8 @@ class Page {
   void heading() {
     text_ = jump_.integrator;
     if (jump_.substeps > 1) text_ += fmt::format(", {} substeps a frame", jump_.substeps);
+    for (const auto& [name, value] : jump_.parameters) text_ += fmt::format(", {} = {}", name, exact_text(value));
+    if (jump_.by == LaunchBy::impulse) text_ += ", launched by an impulse";
     text_ += fmt::format(", dt = {} s, g = {} downwards\n\n", exact_text(jump_.dt),
                          amounts_.acceleration(jump_.g));
   }
@@ -74,9 +81,29 @@ class Page {
       method += fmt::format(", {} at t {}", formula(jump_.correction.formula * name("t")),
                             amounts_.time_equals(Surd(t)));
     if (jump_.shortfall.method.is_zero()) method = "the integrator is exact here";
+    if (!jump_.drag.is_zero())
+      line(amounts_.signed_difference(jump_.shortfall.damping),
+           fmt::format("damping: the exact motion, which loses {} per second of its speed to drag, is at its top at {}",
+                       rate(jump_.drag), amounts_.height(jump_.exact_top)));
     line(amounts_.signed_difference(jump_.shortfall.method), method);
     line(amounts_.signed_difference(jump_.shortfall.sampling),
          "sampling: the exact motion is at its top between frames");
+  }
+
+  /// A rate: a short fraction, or rounded.
+  std::string rate(const Rational& value) const {
+    const std::string text = exact_text(value);
+    return text.size() <= 12 ? text : (style_ == Style::unicode ? "≈ " : "~ ") + value.significant(6);
+  }
+
+  void limit() {
+    if (const auto& met = jump_.limit)
+      text_ += fmt::format(
+          "\n'{}' acts in frame {}: stepped in binary64 with it, the highest frame is {}, at {}.\nAll else holds "
+          "without it.\n",
+          met->text, met->frame, met->best_frame,
+          amounts_.height(Surd(Rational::from_double(met->best_height))));
+    if (!jump_.limit_unknown.empty()) text_ += "\n" + jump_.limit_unknown + ".\n";
   }
 
   void peak(const std::string& what, const Surd& height) {
@@ -90,6 +117,7 @@ class Page {
     peak("the target H", Surd(jump_.target));
     if (jump_.ideal_time_height)
       peak("at u/g " + amounts_.time_equals(jump_.ideal_time), *jump_.ideal_time_height);
+    if (!jump_.drag.is_zero()) peak("the exact motion's top", jump_.exact_top);
     if (jump_.parabola_top) peak("the top of the parabola", *jump_.parabola_top);
     peak(fmt::format("the highest frame, {}", jump_.best_frame.n.str()), jump_.best_frame.height);
     if (!jump_.ideal_time_height) line("between frames", "not defined: the flight is no parabola");
@@ -108,6 +136,9 @@ class Page {
     line("uncorrected, sqrt(2 g H)", amounts_.speed(jump_.launch_velocity));
     if (!jump_.correction.exists) {
       line("does not exist", jump_.correction.reason);
+      if (jump_.launch_for_top)
+        line("for this H: launch", amounts_.speed(*jump_.launch_for_top) +
+                                       ", which puts the top of the parabola through the frames at H");
       return;
     }
     const std::string proved = "every frame is on the exact parabola (proved)";
@@ -130,10 +161,12 @@ class Page {
       return;
     }
     const OnFrame& f = *jump_.on_frame;
-    const std::string fraction = f.launch.digits() <= 12 ? fmt::format(" = {} exactly", f.launch.str()) : "";
+    const bool exact = jump_.rounded.empty();
+    const std::string fraction = exact && f.launch.digits() <= 12 ? fmt::format(" = {} exactly", f.launch.str()) : "";
     line("launch", amounts_.speed(Surd(f.launch)) + fraction);
     line("highest frame, " + f.top.n.str(),
-         fmt::format("{}, shortfall 0", amounts_.height_exactly(jump_.target)));
+         fmt::format("{}{}, shortfall {}", exact ? "" : style_ == Style::unicode ? "≈ " : "~ ",
+                     amounts_.height_exactly(jump_.target), exact ? "0" : "below 1e-90 m"));
     if (!jump_.binary32) {
       line("in binary32", jump_.no_binary32);
       return;
@@ -147,6 +180,8 @@ class Page {
                          size.is_integer() ? size.str() : size.significant(6), size.is_one() ? "" : "s",
                          b.miss.sign() > 0 ? "high" : "low");
     line(fmt::format("highest frame, {}", b.n), fmt::format("{} m: {}", shortest(b.top), miss));
+    if (const auto& met = jump_.on_frame_limit)
+      line("but", fmt::format("'{}' acts in frame {}: this launch does not get there", met->text, met->frame));
   }
 
   const Jump& jump_;

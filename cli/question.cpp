@@ -19,9 +19,22 @@ std::string not_a_count(const std::string& text) {
   return "'" + text + "' is not a whole number from 1 to 10000";
 }
 
+/// The one parameter that says how often a `substeps` of the step block repeats.
+std::optional<std::string> substep_parameter(const Program& program) {
+  std::optional<std::string> found;
+  for (const Statement& s : program.step) {
+    if (s.kind != Statement::Kind::substeps || s.value->op != Expression::Op::name) continue;
+    if (found && *found != s.value->name) return std::nullopt;
+    found = s.value->name;
+  }
+  return found;
+}
+
 }  // namespace
 
 Program Question::program() const { return find_integrator(integrator); }
+
+int Question::substeps() const { return substep_count && !substep_parameter(program()) ? *substep_count : 1; }
 
 Values Question::values() const {
   Values values;
@@ -33,6 +46,9 @@ Values Question::values() const {
     if (!values.emplace(name, quantity(text.substr(equals + 1), Unit::none, "--param " + name)).second)
       throw BadInput("--param " + name + " is given twice");
   }
+  if (substep_count)
+    if (const auto own = substep_parameter(program()); own && !values.emplace(*own, *substep_count).second)
+      throw BadInput("--substeps is --param " + *own + " here: give one of them");
   return values;
 }
 
@@ -72,8 +88,11 @@ void add_parameters(CLI::App& command, Question& q) {
   command.add_option("--param", q.parameters, "a parameter of the integrator: NAME=VALUE; may be repeated")
       ->type_name("N=V")
       ->allow_extra_args(false);
-  command.add_option("--substeps", q.substeps, "steps of h/N for each frame h, 1 to 10000")
-      ->capture_default_str()
+  command
+      .add_option("--substeps", q.substep_count,
+                  "steps of h/N for each frame h, 1 to 10000 (1 unless given); for an integrator that has "
+                  "substeps of its own, "
+                  "how many")
       ->type_name("N")
       ->check(not_a_count);
 }

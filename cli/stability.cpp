@@ -27,7 +27,7 @@ void draw(const Stability& s, const std::string& path) {
 
 void stability(const StabilityOptions& o) {
   if (!o.plot.empty()) image_format(o.plot);  // a wrong ending is seen before any work
-  const Stability s = shortfall::stability(o.program(), o.values(), o.substeps);
+  const Stability s = shortfall::stability(o.program(), o.values(), o.substeps());
   if (!o.plot.empty()) {
     draw(s, o.plot);
     say("wrote " + o.plot);

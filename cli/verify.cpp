@@ -64,7 +64,7 @@ int verify(const Question& q, const std::string& x, const std::string& v) {
   } catch (const SyntaxError& e) {  // on the command line, not in a file
     throw BadInput(std::string(e.what()) + "\n" + e.context());
   }
-  const Derivation d = derivation(program, degree, values, q.substeps, false);
+  const Derivation d = derivation(program, degree, values, q.substeps(), false);
   Json json{{"schema", "shortfall.verify/1"},
             {"integrator", d.integrator},
             {"force", q.force},

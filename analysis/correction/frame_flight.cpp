@@ -10,8 +10,8 @@ namespace shortfall {
 
 namespace {
 
-Numbers<Rational> constant_force(int value) {
-  return {.force = [value](const Rational&, const Rational&, const Rational&) { return Rational(value); }};
+UndisturbedNumbers constant_force(int value) {
+  return {{.force = [value](const Rational&, const Rational&, const Rational&) { return Rational(value); }}};
 }
 
 std::vector<Rational> checked(std::vector<Rational> steps) {
@@ -44,7 +44,7 @@ const FlownFrame& FrameFlight::frame(std::size_t n) {
                  std::to_string(n));
   while (frames_.size() <= n) {
     const Rational h = steps_[(frames_.size() - 1) % steps_.size()];
-    for (Run<Numbers<Rational>>* run : {&free_, &dropped_}) {
+    for (Run<UndisturbedNumbers>* run : {&free_, &dropped_}) {
       run->set_step(h);
       run->step();
     }

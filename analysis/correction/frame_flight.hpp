@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/algebra/surd.hpp"
-#include "analysis/problems/numbers.hpp"
+#include "analysis/problems/undisturbed_numbers.hpp"
 #include "analysis/program/run.hpp"
 
 namespace shortfall {
@@ -55,10 +55,10 @@ class FrameFlight {
   Tape tape_;
   std::vector<Rational> steps_;
   bool repeat_;
-  Numbers<Rational> weightless_;
-  Numbers<Rational> heavy_;
-  Run<Numbers<Rational>> free_;
-  Run<Numbers<Rational>> dropped_;
+  UndisturbedNumbers weightless_;
+  UndisturbedNumbers heavy_;
+  Run<UndisturbedNumbers> free_;
+  Run<UndisturbedNumbers> dropped_;
   std::vector<FlownFrame> frames_;
 };
 

@@ -4,10 +4,12 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "analysis/correction/jump_binary32.hpp"
 #include "analysis/correction/jump_flight.hpp"
 #include "analysis/correction/jump_launch.hpp"
+#include "analysis/correction/jump_limits.hpp"
 
 namespace shortfall {
 
@@ -20,13 +22,18 @@ struct JumpQuestion {
   int substeps = 1;
   Values parameters = {};
   std::int64_t binary32_frames = kBinary32Frames;  ///< how many the search in binary32 may step; 0: no search
+  LaunchBy by = LaunchBy::velocity;
 };
 
-/// Exact minus computed, metres: positive where the body stays too low. total = method + sampling, exactly.
+/// Exact minus computed, metres: positive where the body stays too low. total = damping + method + sampling.
+///
+/// The exact motion is the one that the integrator is meant to follow: a parabola, or with drag when the
+/// program says so (`solves`); with drag exponentials are rounded to 100 digits, and so is what is here.
 struct JumpShortfall {
   Surd total;     ///< H - height of the highest frame
   Surd method;    ///< what the integrator loses: exact motion at the time of that frame - its height
-  Surd sampling;  ///< what falls between frames: H - exact motion at that time
+  Surd sampling;  ///< what falls between frames: top of the exact motion - exact motion at that time
+  Surd damping;   ///< what drag takes: H - top of the exact motion; 0 without drag
 };
 
 /// A launch that puts the top of the jump exactly on a frame.
@@ -42,15 +49,24 @@ struct Jump {
   int substeps = 1;
   Rational dt;
   Rational g;
+  Values parameters;  ///< of the integrator, all of them
+  LaunchBy by = LaunchBy::velocity;
+  Rational drag;                     ///< of the motion that is meant, per second; 0 for none
+  std::vector<std::string> rounded;  ///< what was rounded to 100 digits; then nothing here is exact
 
   Surd launch_velocity;                   ///< sqrt(2 g H)
   Rational target;                        ///< H
-  Surd ideal_time;                        ///< launch / g, when the exact motion is at H; seconds
+  Surd ideal_time;                        ///< when the exact motion is at its top; seconds
+  Surd exact_top;                         ///< which is there: H, or less with drag
   std::optional<Surd> ideal_time_height;  ///< the computed motion then, between frames by its own formula
   std::optional<Surd> parabola_top;       ///< of the parabola through the frames
+  /// The launch whose parabola has its top at H, where no correction serves every launch.
+  std::optional<Surd> launch_for_top;
   Frame best_frame;                       ///< the highest; {0, 0} when the body stays on the ground
   bool tie = false;                       ///< whether the next frame is exactly as high
   JumpShortfall shortfall;
+  std::optional<LimitMet> limit;  ///< of that flight
+  std::string limit_unknown;      ///< why it is not known whether one acts
 
   bool lifts_off = false;
   LiftOff lift_off;
@@ -65,14 +81,15 @@ struct Jump {
   std::optional<Corrected> corrected;
 
   std::optional<OnFrame> on_frame;
-  std::string no_on_frame;  ///< why there is none
+  std::string no_on_frame;                 ///< why there is none
+  std::optional<LimitMet> on_frame_limit;  ///< of the flight on a frame
   std::optional<Binary32Launch> binary32;
   std::string no_binary32;  ///< why there is none
 };
 
 /// throws  BadInput  when height, dt or g is not positive, for a value of an unknown parameter, a wrong
 /// number of
-///                   substeps;  Unable  when the flight has no closed form and is too long to be stepped
+///                   substeps, an impulse where there is none;  Unable  when the flight has no closed form and is too long to be stepped
 Jump jump(const Program& program, const JumpQuestion& question);
 
 /// The same for one of many heights: program, dt, substeps and parameters are those of the flight.
@@ -80,6 +97,9 @@ Jump jump(const Flight& flight, const Rational& height, const Rational& g,
           std::int64_t binary32_frames = kBinary32Frames);
 
 /// The launch whose frame m is exactly H high and the highest, for the one m that has it.
+///
+/// Searched for from the frame nearest to the ideal time, by whether too early a frame is passed by later
+/// ones, or the reverse.
 std::optional<OnFrame> on_frame(const Flight& flight, const Rational& height, const Rational& g);
 
 }  // namespace shortfall

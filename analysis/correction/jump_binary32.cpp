@@ -65,11 +65,13 @@ class Flights {
       : tape_(lower(flight.program(), flight.parameters())),
         problem_{g},
         run_(tape_, problem_, dt),
+        impulse_(flight.launch_by() == LaunchBy::impulse),
         frame_(frame) {}
 
   /// The highest frame. Past the exact one it ends when the body falls, at the latest after twice the time.
   Top top(float launch) {
-    run_.begin(0, launch, 0);
+    run_.begin(0, impulse_ ? 0 : launch, 0);
+    if (impulse_) run_.give_impulse(launch);
     Top best;
     for (std::int64_t n = 1; n <= 2 * frame_ + 4; ++n) {
       run_.step();
@@ -89,6 +91,7 @@ class Flights {
   Tape tape_;
   Gravity problem_;
   Run<Gravity> run_;
+  bool impulse_;
   std::int64_t frame_;
   std::int64_t frames_ = 0;
 };

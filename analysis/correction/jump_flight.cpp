@@ -8,7 +8,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/motion/closed_form.hpp"
-#include "analysis/problems/numbers.hpp"
+#include "analysis/problems/undisturbed_numbers.hpp"
 #include "analysis/program/run.hpp"
 #include "analysis/program/transform.hpp"
 
@@ -16,8 +16,22 @@ namespace shortfall {
 
 namespace {
 
-Numbers<Rational> constant_force(int value) {
-  return {.force = [value](const Rational&, const Rational&, const Rational&) { return Rational(value); }};
+UndisturbedNumbers constant_force(int value) {
+  return {{.force = [value](const Rational&, const Rational&, const Rational&) { return Rational(value); }}};
+}
+
+/// Whether the clock stands anywhere but as an argument of the force.
+bool reads_clock(const Expr& e) {
+  if (!e || e->op == Expression::Op::force) return false;
+  return (e->op == Expression::Op::name && e->name == "t") ||
+         std::ranges::any_of(e->operands, [](const Expr& operand) { return reads_clock(operand); });
+}
+
+bool reads_clock(const std::vector<Statement>& block) {
+  return std::ranges::any_of(block, [](const Statement& s) {
+    return reads_clock(s.value) || reads_clock(s.body) ||
+           std::ranges::any_of(s.unknowns, [](const Unknown& u) { return reads_clock(u.value); });
+  });
 }
 
 /// A polynomial in n of degree 2 at most, once every other letter has its value.
@@ -45,9 +59,10 @@ T at(const std::array<T, 3>& p, const T& n) {
 
 /// The two flights of which every other one is made, stepped in exact arithmetic as far as somebody asked.
 struct Flight::Steps {
-  Steps(const Program& program, const Values& parameters, const Rational& dt)
+  Steps(const Program& program, const Values& parameters, const Rational& dt, LaunchBy by)
       : tape(lower(program, parameters)), free(tape, weightless, dt), dropped(tape, heavy, dt) {
-    free.begin(0, 1, 0);
+    free.begin(0, by == LaunchBy::velocity ? 1 : 0, 0);
+    if (by == LaunchBy::impulse) free.give_impulse(1);
     dropped.begin(0, 0, 0);
     record();
   }
@@ -74,23 +89,30 @@ struct Flight::Steps {
   }
 
   Tape tape;
-  Numbers<Rational> weightless = constant_force(0);
-  Numbers<Rational> heavy = constant_force(1);
-  Run<Numbers<Rational>> free;
-  Run<Numbers<Rational>> dropped;
+  UndisturbedNumbers weightless = constant_force(0);
+  UndisturbedNumbers heavy = constant_force(1);
+  Run<UndisturbedNumbers> free;
+  Run<UndisturbedNumbers> dropped;
   std::vector<std::pair<Rational, Rational>> frames;  ///< rise and fall
   std::vector<std::pair<double, double>> rounded;     ///< the same
 };
 
-Flight::Flight(const Program& program, const Rational& dt, int substeps, const Values& given)
+Flight::Flight(const Program& program, const Rational& dt, int substeps, const Values& given, LaunchBy by)
     : program_(substepped(program, substeps)),
       dt_(dt),
       substeps_(substeps),
-      parameters_(parameter_values(program, given)) {
+      parameters_(parameter_values(program, given)),
+      by_(by) {
   if (dt.sign() <= 0) throw BadInput("a time step is longer than 0 s, not " + dt.str() + " s");
-  // In letters where it can be done, then with numbers; each has flights that only it can solve.
-  if (!adopt(lower(program_, given))) adopt(lower(program_, parameters_));
-  steps_ = std::make_unique<Steps>(program_, parameters_, dt_);
+  if (by == LaunchBy::impulse && !program.impulse)
+    throw BadInput(program.name + " knows no impulse: its launch is a velocity that is set");
+  steps_ = std::make_unique<Steps>(program_, parameters_, dt_, by);
+  const bool fitted = fit();
+  // In letters, too, for the formula of the correction; each way has flights that only it can solve.
+  if (by == LaunchBy::velocity && (parabolic_ || !fitted) && !adopt(lower(program_, given)))
+    adopt(lower(program_, parameters_));
+  const auto& rounded = *steps_->weightless.rounded;
+  if (!parabolic_ || !fall_in_letters_) rounded_.assign(rounded.begin(), rounded.end());
 }
 
 Flight::Flight(Flight&&) noexcept = default;
@@ -99,6 +121,7 @@ Flight::~Flight() = default;
 
 bool Flight::adopt(const Tape& tape) try {
   const StepMap map = step_map(tape, 0);
+  const NumberField field(map.generators);
   const ClosedForm form = closed_form(map);
   const Sequence& rise = form.position[1];
   const Sequence& fall = form.position[2];
@@ -118,21 +141,41 @@ bool Flight::adopt(const Tape& tape) try {
   return false;
 }
 
+/// From the first frames, in numbers: a parabola, or a sum of powers.
+bool Flight::fit() {
+  if (reads_clock(program_.start) || reads_clock(program_.step) || reads_clock(program_.finish)) return false;
+  // The carried vectors and the constant 1: an affine step satisfies a recurrence of this order.
+  const int order = static_cast<int>(program_.states.size()) + 3;
+  const auto frame = [this](std::size_t n) { return steps_->frame(n); };
+  if (const auto parabolas = parabolic_flight(frame, order)) {
+    settled_ = parabolas->from;
+    rise_ = parabolas->rise;
+    fall_ = parabolas->fall;
+    return parabolic_ = true;
+  }
+  geometric_ = geometric_flight(frame, order);
+  return geometric_.has_value();
+}
+
 const std::pair<Rational, Rational>& Flight::stepped(const Rational& n) const {
   std::int64_t count = 0;
   if (!n.fits_int64(count) || count < 0 || count > kStepped)
     throw Unable("the flight of " + program_.name +
-                 " has no closed form that is a parabola; we step at most " + std::to_string(kStepped) +
+                 " has no closed form that we know; we step at most " + std::to_string(kStepped) +
                  " frames of it exactly, not " + n.str());
   return steps_->frame(static_cast<std::size_t>(count));
 }
 
 Rational Flight::rise(const Rational& n) const {
-  return parabolic_ && n >= settled_ ? at(rise_, n) : stepped(n).first;
+  if (parabolic_ && n >= settled_) return at(rise_, n);
+  if (geometric_ && n >= geometric_->from) return geometric_->at(geometric_->rise, n);
+  return stepped(n).first;
 }
 
 Rational Flight::fall(const Rational& n) const {
-  return parabolic_ && n >= settled_ ? at(fall_, n) : stepped(n).second;
+  if (parabolic_ && n >= settled_) return at(fall_, n);
+  if (geometric_ && n >= geometric_->from) return geometric_->at(geometric_->fall, n);
+  return stepped(n).second;
 }
 
 Surd Flight::height(const Surd& launch, const Rational& g, const Rational& n) const {
@@ -146,6 +189,8 @@ std::array<Surd, 3> Flight::heights(const Surd& launch, const Rational& g) const
 }
 
 Frame Flight::highest(const Surd& launch, const Rational& g) const {
+  if (geometric_)
+    if (const auto top = geometric_->top(launch, g)) return highest_until(*top, launch, g);
   if (!parabolic_) return highest_by_steps(launch, g);
   const auto [c0, c1, c2] = heights(launch, g);
   if (c2.sign() >= 0) return highest_by_steps(launch, g);
@@ -153,13 +198,20 @@ Frame Flight::highest(const Surd& launch, const Rational& g) const {
   // these.
   Rational below = (-c1 / (c2 * Surd(2))).floor();
   if (below < settled_) below = settled_;
+  Frame best = highest_until(below, launch, g);
+  if (Surd there = height(launch, g, below + 1); there > best.height) best = {below + 1, std::move(there)};
+  return best;
+}
+
+/// Of the frames before the form holds, and `last`, which is the highest of those after.
+Frame Flight::highest_until(const Rational& last, const Surd& launch, const Rational& g) const {
   Frame best{0, height(launch, g, 0)};
   const auto meet = [&](const Rational& n) {
     if (Surd there = height(launch, g, n); there > best.height) best = {n, std::move(there)};
   };
-  for (int n = 1; n < settled_; ++n) meet(n);
-  meet(below);
-  meet(below + 1);
+  const int settled = parabolic_ ? settled_ : geometric_->from;
+  for (int n = 1; n < settled; ++n) meet(n);
+  meet(last);
   return best;
 }
 
@@ -181,7 +233,7 @@ Frame Flight::highest_by_steps(const Surd& launch, const Rational& g) const {
       return {best, height(launch, g, best)};
   }
   throw Unable("the body is not back on the ground after " + std::to_string(kStepped) +
-               " frames, and the flight of " + program_.name + " has no closed form that is a parabola");
+               " frames, and the flight of " + program_.name + " has no closed form that we know");
 }
 
 }  // namespace shortfall

@@ -9,6 +9,7 @@
 
 #include "analysis/algebra/fraction.hpp"
 #include "analysis/algebra/surd.hpp"
+#include "analysis/correction/geometric_flight.hpp"
 #include "analysis/program/tape.hpp"
 
 namespace shortfall {
@@ -19,12 +20,17 @@ struct Frame {
   Surd height;
 };
 
+/// How a body gets its launch velocity: it is set, or it is given as an impulse (over the mass), which some
+/// engines treat differently.
+enum class LaunchBy { velocity, impulse };
+
 /// Where a body thrown straight up from the ground is at the end of every frame, exactly:
 /// height(n) = launch * rise(n) - g * fall(n).
 ///
-/// rise and fall are polynomials in n of degree 2 at most, from the closed form of the n-step map, so that
-/// frame one billion costs what frame one does; where there is no such form, frames are stepped exactly, up
-/// to a limit.
+/// rise and fall are polynomials in n of degree 2 at most, so that frame one billion costs what frame one
+/// does, or with damping sums with the powers of one number; where they have no such form, frames are stepped
+/// exactly, up to a limit. No limit of the integrator acts and every `when` holds; what a function makes
+/// irrational is rounded to 100 digits.
 class Flight {
  public:
   /// Coefficients of 1, n, n^2.
@@ -33,9 +39,10 @@ class Flight {
   static constexpr int kStepped = 2000;  ///< how many frames are stepped where there is no closed form
 
   /// param   dt  seconds a frame
-  /// throws  BadInput  when dt is not positive, for a value of an unknown parameter, or a wrong number of
-  /// substeps
-  Flight(const Program& program, const Rational& dt, int substeps = 1, const Values& given = {});
+  /// throws  BadInput  when dt is not positive, for a value of an unknown parameter, a wrong number of
+  /// substeps, or an impulse for a program that knows none
+  Flight(const Program& program, const Rational& dt, int substeps = 1, const Values& given = {},
+         LaunchBy by = LaunchBy::velocity);
   Flight(Flight&&) noexcept;
   Flight& operator=(Flight&&) noexcept;
   ~Flight();
@@ -44,17 +51,22 @@ class Flight {
   const Rational& dt() const { return dt_; }
   int substeps() const { return substeps_; }
   const Values& parameters() const { return parameters_; }
+  LaunchBy launch_by() const { return by_; }
+  /// What had to be rounded, "pow(9/10, 1/50)"; where there is something, nothing is exact.
+  const std::vector<std::string>& rounded() const { return rounded_; }
 
   bool parabolic() const { return parabolic_; }
   const Parabola& rise() const { return rise_; }  ///< when parabolic, from frame settled() on
   const Parabola& fall() const { return fall_; }
   int settled() const { return settled_; }
+  /// The sums of powers, when there is damping of one ratio.
+  const std::optional<GeometricFlight>& geometric() const { return geometric_; }
 
   /// fall(n) with h and the parameters as letters, where the closed form was found in letters.
   const std::optional<Fraction>& fall_in_letters() const { return fall_in_letters_; }
   const std::vector<std::string>& letters() const { return letters_; }
 
-  /// throws  Unable  past frame kStepped when the flight is not parabolic
+  /// throws  Unable  past frame kStepped of a flight without a form
   Rational rise(const Rational& n) const;
   Rational fall(const Rational& n) const;
   Surd height(const Surd& launch, const Rational& g, const Rational& n) const;
@@ -63,19 +75,24 @@ class Flight {
 
   /// The highest frame until the body is back on the ground, the earliest when two are equally high.
   ///
-  /// throws  Unable  when it is not back by frame kStepped of a flight that is not parabolic
+  /// throws  Unable  when it is not back by frame kStepped of a flight without a form
   Frame highest(const Surd& launch, const Rational& g) const;
 
  private:
   struct Steps;
   bool adopt(const Tape& tape);
+  bool fit();
   const std::pair<Rational, Rational>& stepped(const Rational& n) const;
+  Frame highest_until(const Rational& last, const Surd& launch, const Rational& g) const;
   Frame highest_by_steps(const Surd& launch, const Rational& g) const;
 
   Program program_;
   Rational dt_;
   int substeps_;
   Values parameters_;
+  LaunchBy by_;
+  std::vector<std::string> rounded_;
+  std::optional<GeometricFlight> geometric_;
   bool parabolic_ = false;
   int settled_ = 0;
   Parabola rise_;

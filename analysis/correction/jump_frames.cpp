@@ -19,7 +19,7 @@ Surd exact_height(const Surd& launch, const Rational& g, const Rational& t) {
 }
 
 JumpShortfall shortfall_at(const JumpedFrame& frame, const Rational& target) {
-  return {Surd(target) - frame.height, frame.shortfall, Surd(target) - frame.exact};
+  return {Surd(target) - frame.height, frame.shortfall, Surd(target) - frame.exact, 0};
 }
 
 /// Frames until the body is back on the ground, or the list is over.

@@ -13,6 +13,11 @@ namespace {
 constexpr int kFramesTried = 50;         // where frames are all we have
 constexpr int kFramesOfRoots = 100'000;  // how far the sign of a polynomial is followed
 
+/// Exactly where that is short.
+std::string shown(const Rational& value) {
+  return value.digits() <= 12 ? value.str() : "about " + value.significant(10);
+}
+
 /// What frame n would need, in units of g, to be where the exact motion is.
 Rational needed(const Flight& flight, const Rational& n) {
   const Rational t = n * flight.dt();
@@ -23,12 +28,12 @@ Rational needed(const Flight& flight, const Rational& n) {
 std::string objection(const Flight& flight, const Rational& n, const Rational& first) {
   const Rational t = n * flight.dt();
   if (const Rational gone = flight.rise(n); gone != t)
-    return "without gravity the body has moved launch * " + gone.str() + " s in " + n.str() + " frame" +
-           (n.is_one() ? "" : "s") + " instead of launch * " + t.str() +
+    return "without gravity the body has moved launch * " + shown(gone) + " s in " + n.str() + " frame" +
+           (n.is_one() ? "" : "s") + " instead of launch * " + shown(t) +
            " s, so that what is missing depends on the launch";
   if (const Rational here = needed(flight, n); here != first)
-    return "frame 1 needs a launch that is greater by g * " + first.str() + " s, frame " + n.str() +
-           " one by g * " + here.str() + " s: no velocity serves both";
+    return "frame 1 needs a launch that is greater by g * " + shown(first) + " s, frame " + n.str() +
+           " one by g * " + shown(here) + " s: no velocity serves both";
   return {};
 }
 
@@ -47,6 +52,15 @@ Expr formula_of(const Flight& flight, const Rational& per_gravity) {
       return formula(linear / Fraction::letter(kStepLetter), name("g"), {flight.letters(), "n", true});
   }
   return number(per_gravity) * name("g");
+}
+
+/// With damping: if the heights of a flight are concave from frame 0 on, for every launch, frame 1 is above
+/// the ground whenever any frame is. The change of the change is (gain of height)(ratio - 1)^2 ratio^n.
+bool first_frame_decides(const Flight& flight) {
+  const auto& sums = flight.geometric();
+  return sums && sums->from == 0 && sums->ratio.sign() > 0 && sums->rise.gain.sign() <= 0 &&
+         sums->fall.gain.sign() >= 0 && flight.rise(1).sign() > 0 &&
+         flight.rise(0).is_zero() && flight.fall(0).is_zero();
 }
 
 }  // namespace
@@ -79,8 +93,13 @@ LaunchCorrection launch_correction(const Flight& flight) {
 
 LiftOff lift_off(const Flight& flight, const Rational& g) {
   LiftOff result;
+  if (first_frame_decides(flight)) {
+    const Rational first = flight.fall(1) / flight.rise(1);
+    result.height = first.sign() <= 0 ? Rational(0) : g * first * first / 2;
+    return result;
+  }
   if (!flight.parabolic()) {
-    result.reason = "the flight has no closed form that is a parabola";
+    result.reason = "the flight is no parabola";
     if (flight.rise(1).sign() > 0) {
       const Rational first = std::max(Rational(0), flight.fall(1) / flight.rise(1));
       result.reason += "; frame 1 is above the ground if and only if H > " +

@@ -16,9 +16,10 @@
 namespace shortfall {
 namespace {
 
-/// A jump of at most about a hundred frames.
+/// A jump of at most about a hundred frames. Engines do not damp here, and their limits do not act.
 struct Case {
   Program program;
+  Values values;
   int substeps;
   Rational dt, g, height;
 };
@@ -31,17 +32,19 @@ Case random_case() {
   // H = g dt^2 q / 2 has its peak near frame sqrt(q).
   const Rational q(*rc::gen::inRange(1, 40'000), *rc::gen::inRange(10, 1000));
   RC_LOG() << program.name << ", substeps " << substeps << "\n";
-  return {program, substeps, dt, g, g * dt * dt * q / 2};
+  Values values;
+  if (program.parameter("c")) values["c"] = 0;
+  return {program, values, substeps, dt, g, g * dt * dt * q / 2};
 }
 
 Jump jump_of(const Case& c) {
   return jump(c.program,
-              {.height = c.height, .dt = c.dt, .g = c.g, .substeps = c.substeps, .binary32_frames = 0});
+              {.height = c.height, .dt = c.dt, .g = c.g, .substeps = c.substeps, .parameters = c.values, .binary32_frames = 0});
 }
 
 /// Heights of frames 0..count by stepping.
 std::vector<Surd> stepped(const Case& c, const Surd& launch, int count) {
-  const Tape tape = lower(substepped(c.program, c.substeps));
+  const Tape tape = lower(undisturbed(substepped(c.program, c.substeps)), c.values);
   Numbers<Surd> problem{.force = [&](const Surd&, const Surd&, const Surd&) { return Surd(-c.g); }};
   Run<Numbers<Surd>> run(tape, problem, Surd(c.dt));
   run.begin(0, launch, 0);
