@@ -37,7 +37,7 @@ struct Question {
   bool ascii = false;
   std::string output;
 
-  Program program() const;   ///< throws BadInput, SyntaxError
+  Program program() const;  ///< throws BadInput, SyntaxError
   /// Of --param; and of --substeps, where the program counts its own substeps with a parameter.
   Values values() const;  ///< throws BadInput, SyntaxError
   /// How many steps of h/N make a frame; 1 where --substeps sets a parameter of the program.

@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/force.hpp"
 #include "cli/output.hpp"
+#include "cli/quantity.hpp"
 #include "notebooks-export/code.hpp"
 #include "notebooks-export/code_kit.hpp"
 #include "notebooks-export/linear_text.hpp"
@@ -19,14 +20,18 @@ namespace shortfall::cli {
 
 namespace {
 
-std::string as_code(const Question& q, const std::string& word) {
+std::string as_code(const Question& q, const std::string& word, const std::string& height) {
   const auto language = language_named(word);
   if (!language)
     throw BadInput("--lang '" + word.substr(0, 60) + "': unknown language" +
                    did_you_mean(word, language_names()));
   const int degree = force_degree(q.force);
-  if (degree == 0)
-    return jump_code(Flight(q.program(), q.step(), q.substeps(), q.values()), q.gravity(), *language);
+  if (degree == 0) {
+    std::optional<Rational> aim;
+    if (!height.empty()) aim = positive_quantity(height, Unit::length, "--height");
+    return jump_code(Flight(q.program(), q.step(), q.substeps(), q.values()), q.gravity(), *language, aim);
+  }
+  if (!height.empty()) throw BadInput("--height goes with --lang and a constant force");
   const Derivation d = derivation(q.program(), degree, q.values(), q.substeps(), false);
   return kit_code(correction_kit(d), d, *language);
 }
@@ -84,9 +89,11 @@ void add_correct(CLI::App& app, int& code) {
       app, "Start here", "correct",
       "The correction kit alone: what to add to launch, read-out, force or step.",
       {"correct symplectic-euler --force constant", "correct symplectic-euler --force constant --lang csharp",
-       "correct explicit-euler --force poly:2 --json", "correct rk4 --force spring:k=4 --dt 1/10"});
+       "correct rapier --height 1.7 --lang rust", "correct explicit-euler --force poly:2 --json",
+       "correct rk4 --force spring:k=4 --dt 1/10"});
   auto q = std::make_shared<Question>();
   auto language = std::make_shared<std::string>();
+  auto height = std::make_shared<std::string>();
   add_integrator(*command, *q);
   add_force(*command, *q);
   add_parameters(*command, *q);
@@ -95,16 +102,22 @@ void add_correct(CLI::App& app, int& code) {
                    "as code: csharp, cpp, gdscript, python, rust, javascript; for a constant force, the "
                    "corrected jump")
       ->type_name("L");
+  command
+      ->add_option("--height", *height,
+                   "with --lang: the height to which the printed code jumps when it checks itself")
+      ->type_name("H");
   add_time_step(*command, *q);
   add_gravity(*command, *q);
   add_json(*command, *q);
   add_ascii(*command, *q);
   add_output(*command, *q);
-  command->callback([q, language, &code] {
+  command->callback([q, language, height, &code] {
+    if (language->empty() && !height->empty())
+      throw BadInput("--height goes with --lang; how high a jump gets is told by: shortfall jump");
     if (language->empty())
       code = correct(*q);
     else
-      write_output(as_code(*q, *language), q->output);
+      write_output(as_code(*q, *language, *height), q->output);
   });
 }
 

@@ -102,7 +102,8 @@ void jump(const JumpOptions& o) {
   if (o.frames.repeat && !listed) throw BadInput("--repeat goes with --dt-file");
   std::vector<Rational> heights;
   if (!o.height.empty()) heights = sweep(o.height, Unit::length, "--height");
-  if (listed && o.by() == LaunchBy::impulse) throw BadInput("--dt-file sets the velocity: no --launch impulse");
+  if (listed && o.by() == LaunchBy::impulse)
+    throw BadInput("--dt-file sets the velocity: no --launch impulse");
   if (listed) return jump_over_frames(o, heights);
   if (o.all_engines) return jump_of_engines(o, heights);
   const Rational g = o.gravity();
@@ -151,16 +152,18 @@ void add_jump(CLI::App& app, int&) {
                    "the corrected jump as code: csharp, cpp, gdscript, python, rust, javascript")
       ->type_name("L");
   command
-      ->add_option("--launch", o->launch,
-                   "how the body is launched: its velocity is set, or it is given an impulse, which some engines "
-                   "spread over their substeps")
+      ->add_option(
+          "--launch", o->launch,
+          "how the body is launched: its velocity is set, or it is given an impulse, which some engines "
+          "spread over their substeps")
       ->capture_default_str()
       ->type_name("HOW")
       ->check(CLI::IsMember({"velocity", "impulse"}));
   command
-      ->add_flag("--all-engines", o->all_engines,
-                 "a table of all engines: how far each falls short, with g dt/2 added to the launch, and what is "
-                 "right")
+      ->add_flag(
+          "--all-engines", o->all_engines,
+          "a table of all engines: how far each falls short, with g dt/2 added to the launch, and what is "
+          "right")
       ->excludes("INTEGRATOR")
       ->excludes("--param")
       ->excludes("--dt-file")

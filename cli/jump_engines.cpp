@@ -42,27 +42,29 @@ std::string engines_text(const std::vector<EngineJump>& jumps, const JumpWords& 
   const Style style = words.ascii ? Style::language : Style::unicode;
   const Jump& first = jumps.front().undamped;
   const Amounts amounts(words.unit, first.target, words.ascii);
-  std::string text =
-      fmt::format("A jump to {}{}, dt = {} s, g = {} downwards: cm short, rounded to {} digits after the point\n\n",
-                  amounts.height_exactly(first.target),
-                  first.by == LaunchBy::impulse ? ", launched by an impulse" : "", exact_text(first.dt),
-                  amounts.acceleration(first.g), kPlaces);
-  text += fmt::format("{:<27} {:>9} {:>12}  {:<18} {}\n", "engine, undamped", "cm short", "with g dt/2",
+  std::string text = fmt::format(
+      "A jump to {}{}, dt = {} s, g = {} downwards: cm short, rounded to {} digits after the point\n\n",
+      amounts.height_exactly(first.target), first.by == LaunchBy::impulse ? ", launched by an impulse" : "",
+      exact_text(first.dt), amounts.acceleration(first.g), kPlaces);
+  text += fmt::format("{:<33} {:>9} {:>12}  {:<18} {}\n", "engine, undamped", "cm short", "with g dt/2",
                       "right correction", "with its default damping");
   for (const EngineJump& e : jumps) {
     const Jump& j = e.undamped;
     std::string name = j.integrator;
     if (const std::string substeps = setting(j, "N"); !substeps.empty()) name += ", " + substeps;
     if (j.substeps > 1) name += fmt::format(", {} substeps", j.substeps);
-    std::string line = fmt::format("{:<27} {:>9} {:>12}  {} ", name, centimetres(j.shortfall.total),
-                                   centimetres(e.usual_fix.shortfall), padded(right_correction(j, style), 18));
-    if (e.damped) line += fmt::format("{} ({})", centimetres(e.damped->shortfall.total), setting(*e.damped, "c"));
+    std::string line =
+        fmt::format("{:<33} {:>9} {:>12}  {} ", name, centimetres(j.shortfall.total),
+                    centimetres(e.usual_fix.shortfall), padded(right_correction(j, style), 18));
+    if (e.damped)
+      line += fmt::format("{} ({})", centimetres(e.damped->shortfall.total), setting(*e.damped, "c"));
     line.erase(line.find_last_not_of(' ') + 1);
     text += line + "\n";
     if (j.limit) text += fmt::format("  '{}' acts in frame {}: not so high\n", j.limit->text, j.limit->frame);
   }
   return text +
-         "\nShortfall = exact - computed: + is too low, - too high. A right correction, added to the launch, puts "
+         "\nShortfall = exact - computed: + is too low, - too high. A right correction, added to the launch, "
+         "puts "
          "every frame on the\nexact parabola (proved); with damping there is none.\n";
 }
 

@@ -33,7 +33,9 @@ Json whole(const Rational& n) {
 }
 
 /// As exact as the jump is: where a function was rounded, nothing is.
-Json number(const Jump& jump, const Surd& value) { return jump.rounded.empty() ? exact(value) : rounded(value); }
+Json number(const Jump& jump, const Surd& value) {
+  return jump.rounded.empty() ? exact(value) : rounded(value);
+}
 
 Json number(const Jump& jump, const std::optional<Surd>& value) {
   return value ? number(jump, *value) : Json(nullptr);
@@ -44,7 +46,9 @@ Json frame(const Jump& jump, const Frame& f) {
 }
 
 Json shortfall_of(const Jump& jump, const JumpShortfall& s) {
-  const auto part = [&](const Surd& value) { return jump.drag.is_zero() ? number(jump, value) : rounded(value); };
+  const auto part = [&](const Surd& value) {
+    return jump.drag.is_zero() ? number(jump, value) : rounded(value);
+  };
   return {{"total", number(jump, s.total)},
           {"method", part(s.method)},
           {"sampling", part(s.sampling)},
@@ -128,8 +132,7 @@ Json body(const Jump& jump) {
                          {"shortfall", shortfall_of(jump, c->shortfall)},
                          {"exact_at_every_frame", c->exact_at_every_frame}};
   json["on_frame"] = on_frame(jump);
-  json["lift_off_height"] =
-      jump.lift_off.height ? number(jump, Surd(*jump.lift_off.height)) : Json(nullptr);
+  json["lift_off_height"] = jump.lift_off.height ? number(jump, Surd(*jump.lift_off.height)) : Json(nullptr);
   if (!jump.lift_off.height) json["lift_off_reason"] = jump.lift_off.reason;
   if (!jump.rounded.empty()) json["rounded_to_100_digits"] = jump.rounded;
   json["units"] = {{"length", "m"}, {"time", "s"}};

@@ -32,8 +32,7 @@ class Page {
         style_ == Style::unicode ? "≈" : "~");
     for (const std::string& what : jump_.rounded)
       text_ += what + " was rounded to 100 digits, and so is everything that follows from it.\n";
-    if (!jump_.drag.is_zero())
-      text_ += "Exponentials of the exact motion were computed to 100 digits.\n";
+    if (!jump_.drag.is_zero()) text_ += "Exponentials of the exact motion were computed to 100 digits.\n";
     return text_;
   }
 
@@ -48,7 +47,8 @@ class Page {
   void heading() {
     text_ = jump_.integrator;
     if (jump_.substeps > 1) text_ += fmt::format(", {} substeps a frame", jump_.substeps);
-    for (const auto& [name, value] : jump_.parameters) text_ += fmt::format(", {} = {}", name, exact_text(value));
+    for (const auto& [name, value] : jump_.parameters)
+      text_ += fmt::format(", {} = {}", name, exact_text(value));
     if (jump_.by == LaunchBy::impulse) text_ += ", launched by an impulse";
     text_ += fmt::format(", dt = {} s, g = {} downwards\n\n", exact_text(jump_.dt),
                          amounts_.acceleration(jump_.g));
@@ -83,7 +83,8 @@ class Page {
     if (jump_.shortfall.method.is_zero()) method = "the integrator is exact here";
     if (!jump_.drag.is_zero())
       line(amounts_.signed_difference(jump_.shortfall.damping),
-           fmt::format("damping: the exact motion, which loses {} per second of its speed to drag, is at its top at {}",
+           fmt::format("damping: the exact motion, which loses {} per second of its speed to drag, is at its "
+                       "top at {}",
                        rate(jump_.drag), amounts_.height(jump_.exact_top)));
     line(amounts_.signed_difference(jump_.shortfall.method), method);
     line(amounts_.signed_difference(jump_.shortfall.sampling),
@@ -99,7 +100,8 @@ class Page {
   void limit() {
     if (const auto& met = jump_.limit)
       text_ += fmt::format(
-          "\n'{}' acts in frame {}: stepped in binary64 with it, the highest frame is {}, at {}.\nAll else holds "
+          "\n'{}' acts in frame {}: stepped in binary64 with it, the highest frame is {}, at {}.\nAll else "
+          "holds "
           "without it.\n",
           met->text, met->frame, met->best_frame,
           amounts_.height(Surd(Rational::from_double(met->best_height))));
@@ -162,10 +164,14 @@ class Page {
     }
     const OnFrame& f = *jump_.on_frame;
     const bool exact = jump_.rounded.empty();
-    const std::string fraction = exact && f.launch.digits() <= 12 ? fmt::format(" = {} exactly", f.launch.str()) : "";
+    const std::string fraction =
+        exact && f.launch.digits() <= 12 ? fmt::format(" = {} exactly", f.launch.str()) : "";
     line("launch", amounts_.speed(Surd(f.launch)) + fraction);
     line("highest frame, " + f.top.n.str(),
-         fmt::format("{}{}, shortfall {}", exact ? "" : style_ == Style::unicode ? "≈ " : "~ ",
+         fmt::format("{}{}, shortfall {}",
+                     exact                      ? ""
+                     : style_ == Style::unicode ? "≈ "
+                                                : "~ ",
                      amounts_.height_exactly(jump_.target), exact ? "0" : "below 1e-90 m"));
     if (!jump_.binary32) {
       line("in binary32", jump_.no_binary32);
@@ -181,7 +187,8 @@ class Page {
                          b.miss.sign() > 0 ? "high" : "low");
     line(fmt::format("highest frame, {}", b.n), fmt::format("{} m: {}", shortest(b.top), miss));
     if (const auto& met = jump_.on_frame_limit)
-      line("but", fmt::format("'{}' acts in frame {}: this launch does not get there", met->text, met->frame));
+      line("but",
+           fmt::format("'{}' acts in frame {}: this launch does not get there", met->text, met->frame));
   }
 
   const Jump& jump_;

@@ -91,8 +91,7 @@ void add_parameters(CLI::App& command, Question& q) {
   command
       .add_option("--substeps", q.substep_count,
                   "steps of h/N for each frame h, 1 to 10000 (1 unless given); for an integrator that has "
-                  "substeps of its own, "
-                  "how many")
+                  "substeps of its own, how many")
       ->type_name("N")
       ->check(not_a_count);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/code.hpp"
 
+#include <algorithm>
 #include <set>
 
 #include "analysis/algebra/error.hpp"
@@ -118,11 +119,13 @@ std::string dt_parameter(Language language, const std::string& dt) {
 
 }  // namespace
 
-std::string jump_code(const Flight& flight, const Rational& g, Language language) {
+std::string jump_code(const Flight& flight, const Rational& g, Language language,
+                      const std::optional<Rational>& height) {
   const LaunchCorrection correction = launch_correction(flight);
   if (!correction.exists)
     throw Undefined("there is no launch correction of " + flight.program().name +
-                    ", and so no code for it: " + correction.reason);
+                    ", and so no code for it: " + correction.reason +
+                    ". The launch for one height stands in `shortfall jump`");
   const CodeStep step = code_step(flight.program(), flight.parameters(), language);
   std::set<std::string> parameters(step.parameters.begin(), step.parameters.end());
   std::map<std::string, std::string> names{{"h", "dt"}, {"g", "gravity"}};
@@ -133,14 +136,18 @@ std::string jump_code(const Flight& flight, const Rational& g, Language language
   const bool uses_dt = mentions(correction.formula, "h");
   const std::string dt = literal(flight.dt(), language);
   std::string heights;
-  for (const Rational& height : {Rational(2, 5), Rational(17, 10), Rational(10)})
-    heights += (heights.empty() ? "" : ", ") + literal(height, language);
+  std::vector<Rational> checked{Rational(2, 5), Rational(17, 10), Rational(10)};
+  if (height) checked = {*height};
+  for (const Rational& h : checked) heights += (heights.empty() ? "" : ", ") + literal(h, language);
   Lines correction_lines;
   const bool needed = !is_number(correction.formula, 0);
   if (needed)
     correction_lines.push_back(correction_line(code(correction.formula, language, names), language));
   const char* tolerance = !is_binary32(language) ? "1e-9" : language == Language::rust ? "1e-4" : "1e-4f";
-  return filled(jump_template(language), {{"about", about(flight, g, correction)},
+  const bool exponential =
+      std::ranges::any_of(step.step, [](const std::string& line) { return line.find("exp(") != line.npos; });
+  return filled(jump_template(language), {{"exp", {exponential ? ", exp" : ""}},
+                                          {"about", about(flight, g, correction)},
                                           {"constants", constants(parameters, flight, language)},
                                           {"correction", correction_lines},
                                           {"plus_correction", {needed ? " + correction" : ""}},

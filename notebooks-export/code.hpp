@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,11 @@ namespace shortfall {
 /// the step that it is for, and a check of itself. Height, gravity and dt are arguments; g and dt given here
 /// become their defaults.
 ///
+/// param   height  what the check jumps to; some usual heights otherwise
 /// throws  Undefined  when no launch correction exists, with the reason;  Unable  when the step cannot be
 /// written
-std::string jump_code(const Flight& flight, const Rational& g, Language language);
+std::string jump_code(const Flight& flight, const Rational& g, Language language,
+                      const std::optional<Rational>& height = std::nullopt);
 
 /// A function of numbers in another language.
 struct CodeFunction {

@@ -115,6 +115,8 @@ class Writer {
       case Op::power:
         return of_power(e);
       case Op::call:
+        if (const std::string f = function(e->name); !f.empty()) return of_call(f, e);
+        break;
       case Op::force:
       case Op::sum:
         break;
@@ -126,6 +128,34 @@ class Writer {
   std::string bound(const Expr& e, Binding least) const {
     const Piece piece = of(e);
     return piece.binding < least ? "(" + piece.text + ")" : piece.text;
+  }
+
+  /// A function of the language; empty for one that steps do not use.
+  std::string function(const std::string& name) const {
+    const bool known = name == "sqrt" || name == "exp" || name == "pow" || name == "max" || name == "min";
+    if (!known) return {};
+    switch (language_) {
+      case Language::csharp:
+        return name == "max" || name == "min" ? "Math." + capitalised(name)
+                                              : "(float)Math." + capitalised(name);
+      case Language::cpp:
+        return "std::" + name;
+      case Language::gdscript:
+        return name == "max" || name == "min" ? name + "f" : name;
+      case Language::python:
+        return name;
+      case Language::rust:
+        return "f32::" + (name == "pow" ? "powf" : name);
+      case Language::javascript:
+        return "Math." + name;
+    }
+    return {};
+  }
+
+  Piece of_call(const std::string& function, const Expr& e) const {
+    std::string arguments;
+    for (const Expr& operand : e->operands) arguments += (arguments.empty() ? "" : ", ") + of(operand).text;
+    return {function + "(" + arguments + ")", function.starts_with("(") ? kSign : kAtom};
   }
 
   /// The sign goes to the first factor, which is the same number.

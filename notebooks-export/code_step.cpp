@@ -51,6 +51,7 @@ Lines lines_of(const std::vector<Statement>& block, const Values& parameters) {
   for (const Statement& s : block) {
     switch (s.kind) {
       case Statement::Kind::assign:
+        if (s.value->op == Expression::Op::name && s.value->name == s.name) break;  // an impulse taken out
         lines.push_back({s.name, without_force(s.value), 0, {}});
         break;
       case Statement::Kind::solve:

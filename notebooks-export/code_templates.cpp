@@ -160,7 +160,7 @@ static func self_check(gravity: float = @g@, dt: float = @dt@) -> bool:
 )code";
 
 constexpr std::string_view kPython = R"code(# @about@
-from math import ceil, sqrt
+from math import ceil@exp@, sqrt
 @constants@
 
 

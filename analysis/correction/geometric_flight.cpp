@@ -45,8 +45,7 @@ Rational GeometricFlight::at(const GeometricSum& sum, const Rational& n) const {
   const Rational after = n - from;
   std::int64_t count = 0;
   if (sum.gain.is_zero()) return sum.constant + sum.slope * after;
-  if (!after.fits_int64(count) || count < 0 ||
-      count > kDigits / static_cast<std::int64_t>(ratio.digits()))
+  if (!after.fits_int64(count) || count < 0 || count > kDigits / static_cast<std::int64_t>(ratio.digits()))
     throw Unable("frame " + n.str() + " of a damped flight is a fraction of more than " +
                  std::to_string(kDigits) + " digits");
   return sum.constant + sum.slope * after + sum.gain * ratio.pow(static_cast<int>(count));
@@ -57,8 +56,7 @@ std::optional<Rational> GeometricFlight::top(const Surd& launch, const Rational&
   const Surd steady = launch * Surd(rise.slope) - Surd(g * fall.slope);
   const Surd fading = (launch * Surd(rise.gain) - Surd(g * fall.gain)) * Surd(ratio - 1);
   if (steady.sign() >= 0 || fading.sign() <= 0) return std::nullopt;
-  const double estimate =
-      std::log((-steady / fading).to_double()) / std::log1p((ratio - 1).to_double());
+  const double estimate = std::log((-steady / fading).to_double()) / std::log1p((ratio - 1).to_double());
   const auto most = static_cast<double>(kDigits) / static_cast<double>(ratio.digits());
   if (!(std::abs(estimate) < most))
     throw Unable("the top of the flight is beyond frame " + std::to_string(static_cast<std::int64_t>(most)) +

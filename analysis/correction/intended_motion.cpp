@@ -91,7 +91,8 @@ IntendedMotion::IntendedMotion(const Program& program, const Values& parameters)
   drag_ = -meant(0, 0, 1, 0);
   for (int t = 0; t <= 2; ++t)
     if (meant(1, 0, 0, t) != 1 || !meant(0, 1, 0, t).is_zero() || meant(0, 0, 1, t) != -drag_)
-      throw Unable(program.name + " solves another equation than gravity with a linear drag; jumps know only that");
+      throw Unable(program.name +
+                   " solves another equation than gravity with a linear drag; jumps know only that");
   if (drag_.sign() < 0)
     throw Unable("the drag of " + program.name + " is negative, " + drag_.significant(6) +
                  " per second: it drives the body, and its jump has no top that we know");

@@ -62,8 +62,8 @@ struct Jump {
   std::optional<Surd> parabola_top;       ///< of the parabola through the frames
   /// The launch whose parabola has its top at H, where no correction serves every launch.
   std::optional<Surd> launch_for_top;
-  Frame best_frame;                       ///< the highest; {0, 0} when the body stays on the ground
-  bool tie = false;                       ///< whether the next frame is exactly as high
+  Frame best_frame;  ///< the highest; {0, 0} when the body stays on the ground
+  bool tie = false;  ///< whether the next frame is exactly as high
   JumpShortfall shortfall;
   std::optional<LimitMet> limit;  ///< of that flight
   std::string limit_unknown;      ///< why it is not known whether one acts
@@ -89,7 +89,8 @@ struct Jump {
 
 /// throws  BadInput  when height, dt or g is not positive, for a value of an unknown parameter, a wrong
 /// number of
-///                   substeps, an impulse where there is none;  Unable  when the flight has no closed form and is too long to be stepped
+///                   substeps, an impulse where there is none;  Unable  when the flight has no closed form
+///                   and is too long to be stepped
 Jump jump(const Program& program, const JumpQuestion& question);
 
 /// The same for one of many heights: program, dt, substeps and parameters are those of the flight.

@@ -160,9 +160,8 @@ bool Flight::fit() {
 const std::pair<Rational, Rational>& Flight::stepped(const Rational& n) const {
   std::int64_t count = 0;
   if (!n.fits_int64(count) || count < 0 || count > kStepped)
-    throw Unable("the flight of " + program_.name +
-                 " has no closed form that we know; we step at most " + std::to_string(kStepped) +
-                 " frames of it exactly, not " + n.str());
+    throw Unable("the flight of " + program_.name + " has no closed form that we know; we step at most " +
+                 std::to_string(kStepped) + " frames of it exactly, not " + n.str());
   return steps_->frame(static_cast<std::size_t>(count));
 }
 

@@ -59,8 +59,8 @@ Expr formula_of(const Flight& flight, const Rational& per_gravity) {
 bool first_frame_decides(const Flight& flight) {
   const auto& sums = flight.geometric();
   return sums && sums->from == 0 && sums->ratio.sign() > 0 && sums->rise.gain.sign() <= 0 &&
-         sums->fall.gain.sign() >= 0 && flight.rise(1).sign() > 0 &&
-         flight.rise(0).is_zero() && flight.fall(0).is_zero();
+         sums->fall.gain.sign() >= 0 && flight.rise(1).sign() > 0 && flight.rise(0).is_zero() &&
+         flight.fall(0).is_zero();
 }
 
 }  // namespace

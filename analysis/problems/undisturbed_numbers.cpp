@@ -41,8 +41,8 @@ Rational value_to_100_digits(Function f, const Rational& a, const Rational& b,
   } catch (const Unable&) {
     const Ball value = ball_of(f, a, b);
     if (!value.significant(kDigits + 1))
-      throw Unable("the value of " + std::string(name_of(f)) + " is not known to " +
-                   std::to_string(kDigits) + " digits");
+      throw Unable("the value of " + std::string(name_of(f)) + " is not known to " + std::to_string(kDigits) +
+                   " digits");
     if (rounded)
       rounded->insert(std::string(name_of(f)) + "(" + a.str() + (arity(f) == 2 ? ", " + b.str() : "") + ")");
     return value.midpoint();

@@ -38,8 +38,12 @@ Case random_case() {
 }
 
 Jump jump_of(const Case& c) {
-  return jump(c.program,
-              {.height = c.height, .dt = c.dt, .g = c.g, .substeps = c.substeps, .parameters = c.values, .binary32_frames = 0});
+  return jump(c.program, {.height = c.height,
+                          .dt = c.dt,
+                          .g = c.g,
+                          .substeps = c.substeps,
+                          .parameters = c.values,
+                          .binary32_frames = 0});
 }
 
 /// Heights of frames 0..count by stepping.

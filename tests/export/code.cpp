@@ -36,7 +36,6 @@ struct Sample {
 const std::vector<Sample>& samples() {
   static const std::vector<Sample> all = [] {
     std::vector<Sample> list;
-    // Engines call functions and have limits, which no writer of code knows.
     for (const Program& p : catalogue())
       if (family(p) != "engines") list.push_back({p.name, Flight(p, kDt)});
     for (const char* name : {"symplectic-euler", "rk4", "leapfrog", "beeman", "implicit-midpoint"})
@@ -67,6 +66,9 @@ const std::vector<Sample>& samples() {
         "  x = top + 0*h*v\n",
         "odd.integrator");
     list.push_back({"odd", Flight(odd, kDt)});
+    for (const char* name : {"physx", "rapier", "jolt", "bullet", "chipmunk", "mujoco-euler"})
+      list.push_back({std::string("the engine ") + name, Flight(find_integrator(name), kDt, 1, {{"c", 0}})});
+    list.push_back({"rapier, N = 8", Flight(find_integrator("rapier"), kDt, 1, {{"N", 8}})});
     return list;
   }();
   return all;
