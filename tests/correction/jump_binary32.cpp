@@ -84,8 +84,7 @@ TEST_CASE(
     CAPTURE(program.name);
     const Jump j = jump(program, {.height = Rational(17, 10)});
     REQUIRE_MESSAGE(j.binary32, j.no_binary32);
-    // matter.js takes its velocity from two positions, so that every frame rounds at the size of a position.
-    CHECK(j.binary32->miss.abs() <= (program.name == "matter-js" ? 5 : 3));
+    CHECK(j.binary32->miss.abs() <= 3);
   }
 }
 
