@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "analysis/algebra/error.hpp"
-#include "analysis/stability/stability_claims.hpp"
 #include "analysis/program/catalogue_data.hpp"
+#include "analysis/stability/stability_claims.hpp"
 #include "tests/motion/golden_shortfalls.hpp"
 
 using namespace shortfall;
@@ -146,6 +146,7 @@ TEST_CASE("every changed coefficient of the catalogue that acts under a force a(
   const auto golden = testing::golden_shortfalls();
   Count count;
   for (const CatalogueFile& file : catalogue_files()) {
+    if (file.path.starts_with("engines/")) continue;  // held by recordings, and changed there
     const std::string text(file.text);
     const Program program = parse(text, std::string(file.path));
     const std::vector<LinearForm> original = first_steps(program);
