@@ -2,6 +2,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "analysis/motion/agreement.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/stability/stability_claims.hpp"
 #include "cli/command.hpp"
@@ -10,6 +11,11 @@
 namespace shortfall::cli {
 
 namespace {
+
+/// What is said of a claim that is true. A decimal is compared with the decimals as printed.
+std::string holding(const ClaimVerdict& v) {
+  return v.digits == 0 ? "holds" : "holds to " + std::to_string(v.digits) + " digits";
+}
 
 int show(const Question& q) {
   const Program program = q.program();
@@ -22,13 +28,17 @@ int show(const Question& q) {
                                 {"sources", program.sources},         {"text", print(program)}};
     json["claims"] = nlohmann::json::array();
     for (const ClaimVerdict& v : verdicts)
-      json["claims"].push_back({{"claim", v.claim}, {"holds", v.holds}, {"found", v.found}});
+      json["claims"].push_back(
+          {{"claim", v.claim}, {"holds", v.holds}, {"found", v.found}, {"digits", v.digits}});
     write_output(json.dump(2) + "\n");
   } else {
     std::string text = print(program);
-    if (!verdicts.empty()) text += "\n# What it claims, proved just now:\n";
+    if (!verdicts.empty())
+      text += program.approximate() ? "\n# What it claims, checked just now; " +
+                                          about_printed_decimals(program) + ":\n"
+                                    : "\n# What it claims, proved just now:\n";
     for (const ClaimVerdict& v : verdicts)
-      text += "#   " + v.claim + (v.holds ? ": holds" : ": REFUTED, found " + v.found) + "\n";
+      text += "#   " + v.claim + (v.holds ? ": " + holding(v) : ": REFUTED, found " + v.found) + "\n";
     write_output(text);
   }
   return all_hold ? kDone : kRefuted;

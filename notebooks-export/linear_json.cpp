@@ -99,6 +99,7 @@ Json as_json(const LinearDerivation& d, const LinearKit& kit) {
                      {"steps", d.check.steps},
                      {"digits", d.check.digits},
                      {"agrees", d.check.agrees}}}};
+  json["printed_digits"] = d.digits == 0 ? Json(nullptr) : Json(d.digits);
   json["assumptions"] = d.assumptions;
   return json;
 }

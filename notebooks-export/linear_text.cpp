@@ -137,7 +137,7 @@ std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style
   if (d.substeps > 1)
     text += "h is the frame; it is stepped in " + std::to_string(d.substeps) + " substeps of h/" +
             std::to_string(d.substeps) + ".\n";
-  text += "n steps, t = n h. All formulas are exact.\n\n";
+  text += "n steps, t = n h. " + exactness(d.digits) + "\n\n";
   if (d.position) {
     text += "  " + line("position x_n ", d.position, style) + "\n  " +
             line("velocity v_n ", d.velocity, style) + "\n";

@@ -76,6 +76,7 @@ Json as_json(const Derivation& d, const CorrectionKit* kit) {
                      {"proved", s.proved},
                      {"points", s.points}});
   json["steps"] = std::move(steps);
+  json["printed_digits"] = d.digits == 0 ? Json(nullptr) : Json(d.digits);
   json["assumptions"] = d.assumptions;
   return json;
 }

@@ -59,10 +59,17 @@ std::string letters_note(const Derivation& d) {
                                           " substeps of h/" + std::to_string(d.substeps) + ". "
                                     : "";
   return text +
-         "n steps, t = n h. Shortfall = exact - computed: positive means too low. All formulas are exact.\n";
+         "n steps, t = n h. Shortfall = exact - computed: positive means too low. " + exactness(d.digits) + "\n";
 }
 
 }  // namespace
+
+std::string exactness(int digits) {
+  return digits == 0 ? "All formulas are exact."
+                     : "All formulas are exact for the decimals as printed: about the method itself they "
+                       "hold to about " +
+                           std::to_string(digits) + " digits.";
+}
 
 std::string line(const std::string& left, const Expr& right, Style style) {
   return left + " = " + shown(right, style);

@@ -22,6 +22,9 @@ std::string as_latex(const Derivation& derivation, const CorrectionKit* kit);
 /// A formula for a terminal or a file, with its quantity in front: "x(n) = x₀ + v₀ t + ½ a t²".
 std::string line(const std::string& left, const Expr& right, Style style);
 
+/// What is said of formulas whose coefficients are exact (0), or known to so many digits.
+std::string exactness(int digits);
+
 /// "3 random cases stepped in rational numbers for 6 steps: equal."
 std::string sentence(const RandomCheck& check);
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/motion/agreement.hpp"
 #include "analysis/motion/formula.hpp"
 #include "analysis/motion/formula_text.hpp"
 #include "analysis/program/print.hpp"
@@ -56,44 +57,60 @@ ClaimVerdict shortfall_verdict(const Program& program, const Claim& claim, const
   bool oscillates = false;
   for (std::size_t column = 0; column < found.size(); ++column)
     oscillates = oscillates || Shortfall::oscillates(oscillation, column);
-  bool holds = !oscillates && is_zero(claimed - found);
-  for (int n = 1; n < constant.form.valid_from && holds; ++n) {
+  Agreement agreement(program);
+  for (const Sequence& difference : claimed - found) agreement.add(difference);
+  for (int n = 1; n < constant.form.valid_from && agreement.holds(); ++n) {
     const auto value =
         constant.stepped_at(n, of_position ? constant.map.position : constant.map.velocity, exact);
     for (std::size_t column = 0; column < value.size(); ++column)
-      holds = holds && claimed[column].at(n) == value[column];
+      agreement.add(claimed[column].at(n) - value[column]);
   }
-  return {claim.word + " " + print(claim.value), holds,
+  return {claim.word + " " + print(claim.value), !oscillates && agreement.holds(),
           claim.word + " " + print(formula(found, 0, {constant.map.letters, "n", true})) +
-              (oscillates ? " and an oscillation" : "")};
+              (oscillates ? " and an oscillation" : ""),
+          agreement.digits()};
 }
 
-/// The highest degree of a force polynomial up to which a motion is exact, at most the one it was computed
-/// for; -1 when not even a constant force.
-int exact_degree(const Shortfall& shortfall) {
+/// How far a motion is exact: up to which degree of a force polynomial, at most the one it was computed for
+/// (-1 when not even for a constant force), and to how many digits.
+struct Exactness {
+  int degree;
+  int digits;
+};
+
+Exactness exactness(const Program& program, const Shortfall& shortfall) {
   const int columns = shortfall.form.degree + 3;
-  std::vector<bool> exact(columns);
-  for (int c = 0; c < columns; ++c)
-    exact[c] = shortfall.position[c].is_zero() && shortfall.velocity[c].is_zero() &&
-               !Shortfall::oscillates(shortfall.form.oscillation.position, c) &&
-               !Shortfall::oscillates(shortfall.form.oscillation.velocity, c);
+  std::vector<Agreement> exact(columns, Agreement(program));
+  std::vector<bool> oscillates(columns);
+  for (int c = 0; c < columns; ++c) {
+    exact[c].add(shortfall.position[c]);
+    exact[c].add(shortfall.velocity[c]);
+    oscillates[c] = Shortfall::oscillates(shortfall.form.oscillation.position, c) ||
+                    Shortfall::oscillates(shortfall.form.oscillation.velocity, c);
+  }
   for (int n = 1; n < shortfall.form.valid_from; ++n) {
     const auto x = shortfall.stepped_at(n, shortfall.map.position, exact_position(shortfall.form.degree));
     const auto v = shortfall.stepped_at(n, shortfall.map.velocity, exact_velocity(shortfall.form.degree));
-    for (int c = 0; c < columns; ++c) exact[c] = exact[c] && x[c].is_zero() && v[c].is_zero();
+    for (int c = 0; c < columns; ++c) {
+      exact[c].add(x[c]);
+      exact[c].add(v[c]);
+    }
   }
-  if (!exact[0] || !exact[1]) return -1;
-  return static_cast<int>(std::ranges::find(exact.begin() + 2, exact.end(), false) - exact.begin()) - 3;
+  // Columns: x0, v0, f0, f1, ...
+  int column = 0, digits = exact[0].digits();
+  for (; column < columns && exact[column].holds() && !oscillates[column]; ++column)
+    digits = std::min(digits, exact[column].digits());
+  return {std::max(column - 3, -1), digits};
 }
 
 ClaimVerdict exact_verdict(const Program& program, const Claim& claim) {
   std::int64_t degree = 0;
   claim.value->value.fits_int64(degree);
   const int claimed = static_cast<int>(degree);
-  const int found = exact_degree(Shortfall(program, claimed + 1));
+  const auto [found, digits] = exactness(program, Shortfall(program, claimed + 1));
   const std::string more = found > claimed ? " or more" : "";
   return {claim.word + " " + print(claim.value), found == claimed,
-          found < 0 ? "not exact for a constant force" : "exact " + std::to_string(found) + more};
+          found < 0 ? "not exact for a constant force" : "exact " + std::to_string(found) + more, digits};
 }
 
 }  // namespace

@@ -13,6 +13,8 @@ struct ClaimVerdict {
   std::string claim;  ///< as the author wrote it: "shortfall -a*h*t/2"
   bool holds = false;
   std::string found;  ///< what is true instead, in the same words: "shortfall a*h*t/2"
+  /// 0: proved. Otherwise coefficients are known to some digits only (approx), and it holds to so many.
+  int digits = 0;
 };
 
 /// Proves or refutes the claims about forces that are polynomials in time (exact, shortfall, shortfall-velocity), parameters kept as

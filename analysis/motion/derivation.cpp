@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/motion/agreement.hpp"
 #include "analysis/motion/derivation_steps.hpp"
 #include "analysis/program/transform.hpp"
 
@@ -73,6 +74,8 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
   d.shortfall_velocity = formula(d.shortfall_velocity_motion, degree, w);
   d.check = random_check(stepped_program, given, {}, d.map, d.form, 3, std::min(8, d.form.valid_from + 6));
   d.assumptions = assumed(d);
+  d.digits = printed_digits(program);
+  if (d.digits > 0) d.assumptions.push_back(about_printed_decimals(program));
   if (tell) d.steps = derivation_steps(d, !tape.finish.empty());
   return d;
 }

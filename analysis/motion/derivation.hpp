@@ -41,6 +41,7 @@ struct Derivation {
   MotionProof proof;
   RandomCheck check;
   std::vector<std::string> assumptions;
+  int digits = 0;  ///< of the coefficients that are known to some digits only (approx); 0 when all are exact
 
   bool proved() const;
   Wording wording() const { return {map.letters, "n", true}; }

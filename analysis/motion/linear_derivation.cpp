@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/motion/agreement.hpp"
 #include "analysis/motion/spectrum.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/transform.hpp"
@@ -173,6 +174,8 @@ LinearDerivation linear_derivation(const Program& program, const Force& force, c
                          d.form, 3, 12);
   d.assumptions = {"every step has the same length h"};
   d.assumptions.insert(d.assumptions.end(), d.map.assumed.begin(), d.map.assumed.end());
+  d.digits = printed_digits(program);
+  if (d.digits > 0) d.assumptions.push_back(about_printed_decimals(program));
   d.singular = singular_factors(d.map);
   for (const Polynomial& p : d.singular)
     d.assumptions.push_back(print(formula(Fraction(p), w)) +

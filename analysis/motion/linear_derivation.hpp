@@ -44,6 +44,7 @@ struct LinearDerivation {
   LinearFlow exact;
   std::vector<Polynomial> singular;  ///< where one of these is 0 an implicit stage has no solution
   std::vector<std::string> assumptions;
+  int digits = 0;  ///< of the coefficients that are known to some digits only (approx); 0 when all are exact
 
   bool proved() const { return proof.proved && check.agrees; }
   Wording wording() const { return {map.letters, "n", true}; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/motion/agreement.hpp"
 #include "analysis/motion/formula.hpp"
 #include "analysis/motion/formula_text.hpp"
 #include "analysis/motion/step_map.hpp"
@@ -40,8 +41,10 @@ ClaimVerdict matrix_verdict(const Program& program, const Claim& claim) {
   const Fraction claimed = value_of(claim, program, *map.force.extras);
   std::vector<std::string> names = map.letters;
   names[kPhase] = "z";
-  return {claim.word + " " + print(claim.value), claimed == found,
-          claim.word + " " + print(formula(found, Wording{names}))};
+  Agreement agreement(program);
+  agreement.add(claimed - found);
+  return {claim.word + " " + print(claim.value), agreement.holds(),
+          claim.word + " " + print(formula(found, Wording{names})), agreement.digits()};
 }
 
 /// Digits after the point of a decimal; none when it has no finite number of them.
@@ -75,7 +78,7 @@ bool equals(const Expr& value, const Program& program, const RealRoot& number) {
 
 ClaimVerdict limit_verdict(const Program& program, const Claim& claim) {
   const std::optional<RealRoot> limit = stability_limit(program);
-  ClaimVerdict verdict{claim.word + " " + print_decimals(claim.value), false, {}};
+  ClaimVerdict verdict{claim.word + " " + print_decimals(claim.value), false, {}, printed_digits(program)};
   const bool infinite = claim.value->op == Expression::Op::name && claim.value->name == "infinity";
   if (!limit || infinite) {
     verdict.holds = !limit && infinite;
@@ -89,6 +92,7 @@ ClaimVerdict limit_verdict(const Program& program, const Claim& claim) {
   if (!decimal.is_integer() && places) {  // agrees to the digits printed
     const Rational unit = Rational(1) / Rational(10).pow(*places);
     verdict.holds = limit->compare(decimal - unit) > 0 && limit->compare(decimal + unit) < 0;
+    if (program.approximate()) verdict.digits = std::min(verdict.digits, *places);
   } else {
     verdict.holds = equals(claim.value, program, *limit);
   }
