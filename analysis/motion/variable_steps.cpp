@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/motion/agreement.hpp"
 #include "analysis/motion/formula_text.hpp"
 #include "analysis/problems/linear_force.hpp"
 #include "analysis/program/print.hpp"
@@ -24,12 +25,11 @@ const Fraction kHalf = Rational(1, 2);
 
 Fraction letter(Letter l) { return Fraction::letter(l); }
 
-/// A step run in letters under a constant acceleration.
+/// A step run in letters under a constant acceleration, within an open NumberField for its roots.
 struct LetterRun {
-  /// param   names  of all letters that the run begins with
-  LetterRun(const Tape& tape, const Fraction& h, std::vector<std::string> names)
+  LetterRun(const Tape& tape, const Fraction& h, std::shared_ptr<ExtraLetters> extras)
       : states(static_cast<int>(tape.states.size())),
-        force{states, 0, {}, {}, std::make_shared<ExtraLetters>(std::move(names))},
+        force{states, 0, {}, {}, std::move(extras)},
         run(tape, force, h) {
     run.begin(LinearForm::column(0), LinearForm::column(1), 0);
   }
@@ -51,7 +51,6 @@ struct LetterRun {
   }
 
   int states;
-  NumberField field;  ///< learns of the roots that the step takes
   LinearForce force;
   Run<LinearForce> run;
 };
@@ -169,8 +168,9 @@ LinearForm velocity(const LetterRun& r, const VariableStepLaw& law, const Fracti
 }
 
 /// Induction on n, with the step itself: the start gives n = 0, one step leads from n to n + 1.
-bool proved(const Tape& tape, const VariableStepLaw& law, const Settled& settled) {
-  LetterRun r(tape, letter(kFirstStep), letter_names(tape));
+bool proved(const Tape& tape, const VariableStepLaw& law, const Settled& settled,
+            std::shared_ptr<ExtraLetters> extras) {
+  LetterRun r(tape, letter(kFirstStep), std::move(extras));
   if (!(r.run.state(0) == position(r, law, 0, 0)) || !(r.run.state(1) == velocity(r, law, 0)) ||
       !settled.holds(r))
     return false;
@@ -187,8 +187,9 @@ bool proved(const Tape& tape, const VariableStepLaw& law, const Settled& settled
 
 VariableSteps of_tape(const Tape& tape) {
   VariableStepLaw law;
-  law.letters = letter_names(tape);
-  LetterRun r(tape, letter(kFirstStep), letter_names(tape));
+  const NumberField field;
+  const auto extras = std::make_shared<ExtraLetters>(letter_names(tape));
+  LetterRun r(tape, letter(kFirstStep), extras);
   const int a = r.force.force_column(0);
   const LinearForm start_x = r.run.state(0), start_v = r.run.state(1);
   const Settled settled(r);
@@ -223,7 +224,8 @@ VariableSteps of_tape(const Tape& tape) {
           first_of({x.reason(), v.reason(), sx.reason(), sv.reason(), rx.reason(), rv.reason()});
       !why.empty())
     return {std::nullopt, std::move(why)};
-  if (!proved(tape, law, settled))
+  law.letters = extras->names();
+  if (!proved(tape, law, settled, extras))
     throw std::logic_error("the law of variable steps of " + tape.name + " fails its own induction");
   return {std::move(law), {}};
 }
@@ -252,12 +254,14 @@ std::vector<Expr> unrolled_shortfalls(const Program& program, int frames, const 
   std::vector<std::string> names = letter_names(tape);
   const int parameters = static_cast<int>(names.size());
   frames = std::min(frames, kLetters - parameters);
-  names.resize(kLetters);
+  names.resize(static_cast<std::size_t>(parameters + std::max(frames, 0)));
   const auto length = [&](int k) { return parameters + k - 1; };  // the letter h_k
   for (int k = 1; k <= frames; ++k) names[static_cast<std::size_t>(length(k))] = "h_" + std::to_string(k);
   std::vector<Expr> result;
   if (frames < 1) return result;
-  LetterRun r(tape, letter(length(1)), names);
+  const NumberField field;
+  const auto extras = std::make_shared<ExtraLetters>(names);
+  LetterRun r(tape, letter(length(1)), extras);
   Fraction t;
   for (int k = 1; k <= frames; ++k) {
     r.run.set_step(letter(length(k)));
@@ -269,7 +273,7 @@ std::vector<Expr> unrolled_shortfalls(const Program& program, int frames, const 
         {0, "x0"}, {1, "v0"}, {r.force.force_column(0), "a"}};
     for (const auto& [column, word] : columns)
       if (!missing[column].is_zero())
-        sum = joined(sum, formula(missing[column], name(word), {names, "n", false}));
+        sum = joined(sum, formula(missing[column], name(word), {extras->names(), "n", false}));
     result.push_back(sum);
   }
   return result;
@@ -310,6 +314,10 @@ Expr square_term(const VariableStepLaw& law) {
 ListExactness list_exactness(const Program& program, const Values& given) {
   constexpr int kFrames = 3;
   ListExactness result{program.name, {}, {}, {}};
+  if (program.approximate()) {
+    result.reason = about_printed_decimals(program);
+    return result;
+  }
   try {
     const VariableSteps steps = variable_steps(program, parameter_values(program, given));
     if (steps.law) {

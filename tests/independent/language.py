@@ -10,7 +10,10 @@ class Bad(Exception):
     """The file is not a valid integrator, or a claim does not hold."""
 
 
-# --- Expressions: nested tuples ("+", l, r), ("neg", e), ("^", e, n), ("num", q), ("name", s), ("force", x, v, t) ----
+# --- Expressions: nested tuples ("+", l, r), ("neg", e), ("^", e, n), ("num", q), ("name", s), ("force", x, v, t),
+# --- ("call", function, arguments) -----------------------------------------------------------------------------------
+
+FUNCTIONS = {"sqrt": 1, "exp": 1, "log": 1, "pow": 2, "max": 2, "min": 2}
 
 TOKEN = re.compile(r"\s*(?:(\d+(?:\.\d+)?(?:[eE][+-]?\d+)?)|([A-Za-z_][A-Za-z0-9_]*)|(.))")
 
@@ -96,6 +99,16 @@ class Reader:
                 arguments.append(self.expression())
             self.take(")")
             return ("force", *arguments)
+        if kind == "name" and text in FUNCTIONS and self.peek() == ("sign", "("):
+            self.take("(")
+            arguments = [self.expression()]
+            while self.peek() == ("sign", ","):
+                self.take(",")
+                arguments.append(self.expression())
+            self.take(")")
+            if len(arguments) != FUNCTIONS[text]:
+                raise Bad(f"{text} takes {FUNCTIONS[text]} values")
+            return ("call", text, arguments)
         if kind == "name":
             return ("name", text)
         if (kind, text) == ("sign", "("):
@@ -123,7 +136,8 @@ class Reader:
             sign = 1 if self.take()[1] == "*" else -1
 
     def statements(self, closing=None):
-        """Each is ("set", name, e), ("solve", [(name, dimension, e)]) or ("substeps", count, [statements])."""
+        """Each is ("set", name, e), ("solve", [(name, dimension, e)]), ("substeps", count, [statements]),
+        ("limit", "speed" or "move", e) or ("when", e, [statements])."""
         body = []
         while True:
             while self.peek() == ("end", "\n"):
@@ -137,6 +151,20 @@ class Reader:
                     self.take()
                     unknowns.append(self.unknown())
                 body.append(("solve", unknowns))
+            elif name == "limit":
+                what = self.name()
+                if what not in ("speed", "move"):
+                    raise Bad(f"limit {what}")
+                body.append(("limit", what, self.expression()))
+            elif name == "when":
+                if self.name() != "speed":
+                    raise Bad("when compares the speed")
+                self.take(">")
+                speed = self.expression()
+                self.take("{")
+                inner = self.statements("}")
+                self.take("}")
+                body.append(("when", speed, inner))
             elif name == "substeps":
                 count = self.take()
                 self.take("{")
@@ -174,13 +202,16 @@ class Integrator:
     def __init__(self, text):
         self.name, self.about, self.aliases, self.sources = None, [], [], []
         self.params, self.states, self.claims = {}, {}, {}
+        self.roots, self.approximations, self.impulse, self.hold = {}, {}, None, False
+        self.assumptions, self.solves = [], None
+        self.irrational = bool(re.search(r"^(?! *limit).*\b(sqrt|exp|pow|log) *\(|^ *root ", text, re.M))
         blocks, block = {}, None
         for raw in text.replace("\r\n", "\n").split("\n"):
             line = raw.split("#")[0].rstrip()
             if self.name is None and raw.startswith("#"):
                 self.about.append(raw[1:].strip())
             word, _, rest = line.strip().partition(" ")
-            if line.strip() in ("start", "step", "finish", "tableau", "expect"):
+            if line.strip() in ("start", "step", "finish", "tableau", "splitting", "expect"):
                 block = line.strip()
                 if block in blocks:
                     raise Bad(f"two blocks {block}")
@@ -191,19 +222,24 @@ class Integrator:
                 self.head(word, rest.strip())
         if self.name is None:
             raise Bad("no integrator line")
-        if ("step" in blocks) == ("tableau" in blocks):
-            raise Bad("a file has either step or tableau")
+        if sum(block in blocks for block in ("step", "tableau", "splitting")) != 1:
+            raise Bad("a file has one of step, tableau, splitting")
         code = {key: Reader("\n".join(lines)).statements() for key, lines in blocks.items()
                 if key in ("start", "step", "finish")}
         self.start, self.finish = code.get("start", []), code.get("finish", [])
         self.tableau = self.rows(blocks["tableau"]) if "tableau" in blocks else None
         self.step = code["step"] if "step" in blocks else None
+        if "splitting" in blocks:
+            self.step = self.lowered(blocks["splitting"])
         for line in blocks.get("expect", []):
             word, _, rest = line.strip().partition(" ")
             if not word:
                 continue
-            if word not in ("exact", "shortfall", "shortfall-velocity") or word in self.claims:
+            if word not in ("exact", "shortfall", "shortfall-velocity", "trace", "determinant", "limit") \
+                    or word in self.claims:
                 raise Bad(f"claim '{word}'")
+            if word == "limit":
+                self.printed_limit = rest.strip()
             self.claims[word] = int(rest) if word == "exact" else whole(rest)
         self.check()
 
@@ -220,6 +256,29 @@ class Integrator:
             left, _, right = rest.partition("=")
             name, _, dimension = (part.strip() for part in left.partition(":"))
             self.params[name] = (Reader(dimension).dimension() if dimension else (0, 0), whole(right))
+        elif word == "root":
+            match = re.fullmatch(r"(\w+) of (.*)=(.*?)(?: near (\S+))?", rest)
+            if not match:
+                raise Bad(f"root '{rest}'")
+            name, left, right, near = match.groups()
+            self.roots[name] = (whole(left), whole(right), near and Fraction(near))
+        elif word == "approx":
+            name, _, decimal = (part.strip() for part in rest.partition("="))
+            if not re.fullmatch(r"-?\d+\.\d+", decimal):
+                raise Bad(f"approx '{rest}'")
+            self.approximations[name] = decimal
+        elif word == "impulse":
+            name, _, dimension = (part.strip() for part in rest.partition(":"))
+            if self.impulse or Reader(dimension).dimension() != (1, -1):
+                raise Bad(f"impulse '{rest}'")
+            self.impulse = name
+        elif word == "hold" and rest == "a":
+            self.hold = True
+        elif word == "assume":
+            left, sign, right = re.fullmatch(r"([^<>]*)([<>])([^<>]*)", rest).groups()
+            self.assumptions.append(("-", whole(left), whole(right)) if sign == ">" else ("-", whole(right), whole(left)))
+        elif word == "solves" and not self.solves:
+            self.solves = whole(rest)
         elif word == "state":
             name, _, dimension = (part.strip() for part in rest.partition(":"))
             self.states[name] = Reader(dimension).dimension()
@@ -244,6 +303,27 @@ class Integrator:
             raise Bad("the tableau is not well formed")
         return rows, weights
 
+    @staticmethod
+    def lowered(lines):
+        """The statements of a splitting: time advances with the drifts."""
+        body, time = [], ("name", "t")
+        for line in lines:
+            word, _, rest = line.strip().partition(" ")
+            if not word:
+                continue
+            part = ("*", whole(rest), ("name", "h"))
+            if word == "kick":
+                force = ("force", ("name", "x"), ("name", "v"), time)
+                body.append(("set", "v", ("+", ("name", "v"), ("*", part, force))))
+            elif word == "drift":
+                body.append(("set", "x", ("+", ("name", "x"), ("*", part, ("name", "v")))))
+                time = ("+", time, part)
+            else:
+                raise Bad(f"'{word}' in a splitting")
+        if not body:
+            raise Bad("a splitting without rows")
+        return body
+
     # Dimensions and sorts. None as a dimension is that of a bare 0, which fits every one.
 
     def check(self):
@@ -251,6 +331,21 @@ class Integrator:
         for name, (dimension, default) in self.params.items():
             self.expect_type(default, known, ("scalar", dimension))
             known[name] = ("scalar", dimension)
+        for name in (*self.roots, *self.approximations):
+            if name in known:
+                raise Bad(f"{name} is declared twice")
+            known[name] = ("scalar", (0, 0))
+        for name, (left, right, _) in self.roots.items():
+            for side in (left, right):
+                self.expect_type(side, {name: ("scalar", (0, 0))}, ("scalar", (0, 0)))
+        scalars = {key: value for key, value in known.items() if key not in ("x", "v")}
+        for difference in self.assumptions:
+            self.type_of(difference, scalars)
+        if self.solves:
+            self.expect_type(self.solves, {key: value for key, value in known.items() if key != "h"},
+                             ("vector", (1, -2)))
+        if self.impulse:
+            known[self.impulse] = ("vector", (1, -1))
         fixed = set(known) - {"x", "v"}
         started = dict(known)
         self.check_block(self.start, started, fixed)
@@ -260,7 +355,7 @@ class Integrator:
             known[name] = ("vector", dimension)
         for block in (self.step or [], self.finish):
             self.check_block(block, dict(known), fixed)
-        claims = {key: value for key, value in known.items() if key in self.params or key in ("h", "t")}
+        claims = {key: value for key, value in known.items() if value[0] == "scalar"}
         claims |= {"n": ("scalar", (0, 0)), "a": ("vector", (1, -2))}
         claims |= {"x0": ("vector", (1, 0)), "v0": ("vector", (1, -1))}
         for word, dimension in (("shortfall", (1, 0)), ("shortfall-velocity", (1, -1))):
@@ -268,6 +363,10 @@ class Integrator:
                 sort, found = self.type_of(self.claims[word], claims)
                 if found is not None and (sort, found) != ("vector", dimension):
                     raise Bad(f"{word} is a {sort} of dimension {found}")
+        claims |= {"w": ("scalar", (0, -1)), "z": ("scalar", (0, 0)), "infinity": ("scalar", (0, 0))}
+        for word in ("trace", "determinant", "limit"):
+            if word in self.claims:
+                self.expect_type(self.claims[word], claims, ("scalar", (0, 0)))
 
     def check_block(self, body, known, fixed):
         for statement in body:
@@ -285,8 +384,18 @@ class Integrator:
                 known |= {name: ("vector", dimension) for name, dimension, _ in statement[1]}
                 for name, dimension, expression in statement[1]:
                     self.expect_type(expression, known, ("vector", dimension))
+            elif statement[0] == "limit":
+                self.expect_measure(statement[2], known, (1, -1) if statement[1] == "speed" else (1, 0))
+            elif statement[0] == "when":
+                self.expect_measure(statement[1], known, (1, -1))
+                self.check_block(statement[2], dict(known), fixed)
             else:
                 self.check_block(statement[2], known, fixed)
+
+    def expect_measure(self, expression, known, dimension):
+        """A speed or a length; a bare number is one in m/s or m."""
+        if self.type_of(expression, known) not in (("scalar", dimension), ("scalar", (0, 0)), ("scalar", None)):
+            raise Bad(f"a scalar of dimension {dimension} expected")
 
     def expect_type(self, expression, known, wanted):
         found = self.type_of(expression, known)
@@ -312,6 +421,21 @@ class Integrator:
             for argument, wanted in zip(e[1:], (("vector", (1, 0)), ("vector", (1, -1)), ("scalar", (0, 1)))):
                 self.expect_type(argument, known, wanted)
             return ("vector", (1, -2))
+        if kind == "call":
+            types = [self.type_of(argument, known) for argument in e[2]]
+            if any(sort != "scalar" for sort, _ in types):
+                raise Bad(f"{e[1]} takes scalars")
+            dimensions = [dimension for _, dimension in types]
+            if e[1] == "sqrt":
+                return ("scalar", dimensions[0] and tuple(Fraction(d) / 2 for d in dimensions[0]))
+            if e[1] in ("max", "min"):
+                given = [dimension for dimension in dimensions if dimension is not None]
+                if any(dimension != given[0] for dimension in given):
+                    raise Bad(f"{e[1]} compares alike")
+                return ("scalar", given[0] if given else None)
+            if dimensions[0] not in (None, (0, 0)) or (e[1] == "pow" and dimensions[1] not in (None, (0, 0), (0, 1))):
+                raise Bad(f"dimensions of {e[1]}")
+            return ("scalar", (0, -1) if e[1] == "log" else (0, 0))
         left, right = self.type_of(e[1], known), self.type_of(e[2], known)
         if kind in "+-":
             if left[1] is None or right[1] is None:

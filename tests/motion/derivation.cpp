@@ -60,6 +60,7 @@ TEST_CASE("results are formulas of the language: they can be read back and mean 
   for (const Program& p : catalogue()) {
     CAPTURE(p.name);
     const Derivation d = derivation(p, 2, {}, 1, false);
+    const NumberField field(d.map.generators);
     ExtraLetters* const extras = d.map.force.extras.get();
     const Names names = formula_names(p, 2);
     const Expr x = parse_formula(print(d.position), "x", names, {Sort::vector, kLength});

@@ -18,12 +18,13 @@ namespace shortfall::testing {
 struct CubicShortfall {
   static constexpr int kDegree = 3;
   StepMap map;
+  NumberField field;
   Motion x;
   Motion v;
   bool oscillates = false;  ///< beyond what x and v say
 
   CubicShortfall(const Program& program, const Values& given)
-      : map(step_map(lower(program, given), kDegree)) {
+      : map(step_map(lower(program, given), kDegree)), field(map.generators) {
     const ClosedForm form = closed_form(map);
     x = exact_position(kDegree) - form.position;
     v = exact_velocity(kDegree) - form.velocity;
