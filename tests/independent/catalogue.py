@@ -165,10 +165,12 @@ def check_oscillator(integrator, rng):
 
 def grows(integrator, params, z):
     """Whether a step of the oscillator with h w = z has an eigenvalue outside the unit circle."""
-    if "trace" in integrator.claims or "determinant" in integrator.claims:
+    if not integrator.states or "determinant" in integrator.claims:
         trace, determinant = pair(integrator, params, 1.0, z * z)
-        return abs(determinant) > 1 + 1e-12 or abs(trace) > 1 + determinant + 1e-12
-    x, v = run(integrator, params, lambda x, v, t: -z * z * x, 1.0, 1.0, z, 0.0, 4000)[-1]
+        rounding = 1e-9 if integrator.tableau or any(s[0] == "solve" for s in integrator.step) else 1e-12
+        return abs(determinant) > 1 + rounding or abs(trace) > 1 + determinant + rounding
+    steps = 200 if any(statement[0] == "solve" for statement in integrator.step) else 4000
+    x, v = run(integrator, params, lambda x, v, t: -z * z * x, 1.0, 1.0, z, 0.0, steps)[-1]
     return abs(x) + abs(v / z) > 1e3
 
 
@@ -267,7 +269,7 @@ def check_order(integrator):
     wanted = ORDER[integrator.name]
     seen = [observed_order(integrator, force) for force in (without_velocity, with_velocity)]
     for p, q, what in zip(wanted, seen, ("a(x, t)", "a(x, v, t)")):
-        if abs(p - q) > 0.2:
+        if abs(p - q) > (0.2 if p < 6 else 0.35):
             raise Bad(f"order {q:.2f} seen for {what}, {p} expected")
     if integrator.tableau:
         env = {"one": Fraction(1), **parameters(integrator, {})}

@@ -123,12 +123,12 @@ def solution(update, guess):
     exact = isinstance(guess[0], Fraction)
     if not exact:
         old = guess
-        for _ in range(100):
+        for k in range(100):
             new = update(old)
             change = max(abs(n - o) / (1 + abs(n)) for n, o in zip(new, old))
             if change <= 4e-16:
                 return new
-            if not change < 1e6:
+            if k > 6 and not change < 0.5:
                 break
             old = new
     number, size = type(guess[0]), len(guess)
