@@ -15,6 +15,17 @@ Expr times_step(const Expr& weight, Place place) {
   return is_number(weight, 1) ? h : binary(Op::multiply, weight, h, place);
 }
 
+/// A number as it can be written: a decimal, or a quotient of whole numbers.
+Expr literal(const Rational& value, Place place) {
+  Rational rest = value.denominator();
+  for (const int prime : {2, 5})
+    while ((rest / Rational(prime)).is_integer()) rest /= Rational(prime);
+  if (rest == Rational(1)) return number(value, place);
+  const Expr size = binary(Op::divide, number(value.abs().numerator(), place),
+                           number(value.denominator(), place), place);
+  return value.sign() < 0 ? negate(size, place) : size;
+}
+
 }  // namespace
 
 void read_splitting_row(Splitting& splitting, const std::string& word, TokenReader& in, Place place) {
@@ -51,7 +62,7 @@ void lower_splitting(Program& program, const Source& source) {
     }
     Expr covered = other_part;
     if (!number_part.is_zero() || !covered) {
-      const Expr exact = number(number_part, place);
+      const Expr exact = literal(number_part, place);
       covered = covered ? binary(Op::add, covered, exact, place) : exact;
     }
     const Expr time = is_number(covered, 0)

@@ -80,8 +80,11 @@ class Reader:
         base = self.atom()
         if self.peek() == ("sign", "^"):
             self.take()
+            inside = self.peek() == ("sign", "(") and self.take()
             negative = self.peek() == ("sign", "-") and self.take()
             kind, exponent = self.take()
+            if inside:
+                self.take(")")
             if kind != "num" or exponent.denominator != 1:
                 raise Bad("an exponent is a whole number")
             return ("^", base, int(-exponent if negative else exponent))
@@ -329,7 +332,8 @@ class Integrator:
     def check(self):
         known = {"h": ("scalar", (0, 1)), "t": ("scalar", (0, 1)), "x": ("vector", (1, 0)), "v": ("vector", (1, -1))}
         for name, (dimension, default) in self.params.items():
-            self.expect_type(default, known, ("scalar", dimension))
+            if self.type_of(default, known) != ("scalar", (0, 0)):  # a bare number is one in metres and seconds
+                self.expect_type(default, known, ("scalar", dimension))
             known[name] = ("scalar", dimension)
         for name in (*self.roots, *self.approximations):
             if name in known:
