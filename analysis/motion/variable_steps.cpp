@@ -34,12 +34,13 @@ struct LetterRun {
     run.begin(LinearForm::column(0), LinearForm::column(1), 0);
   }
 
-  /// One step; only its own letters may be left in it.
+  /// One step. Roots are numbers, but what a function makes of h changes with every step.
   void step() {
     run.step();
     for (const ExtraLetters::Extra& e : force.extras->all())
-      throw Unable("the step contains " + e.name + (e.root ? ", an irrational number" : "") +
-                   ": steps of different lengths are not followed in letters then");
+      if (!e.root)
+        throw Unable("the step contains " + e.name +
+                     ": steps of different lengths are not followed in letters then");
   }
 
   LinearForm acceleration(const Fraction& coefficient) const {
@@ -225,6 +226,11 @@ VariableSteps of_tape(const Tape& tape) {
       !why.empty())
     return {std::nullopt, std::move(why)};
   law.letters = extras->names();
+  for (const ExtraLetters::Extra& e : extras->all())
+    for (const Fraction& number : {law.drift, law.alpha, law.kick, law.start_position, law.start_velocity,
+                                   law.read_position, law.read_velocity})
+      if (number.contains(e.letter))
+        return {std::nullopt, "the law contains " + e.name + ", an irrational number"};
   if (!proved(tape, law, settled, extras))
     throw std::logic_error("the law of variable steps of " + tape.name + " fails its own induction");
   return {std::move(law), {}};

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/motion/step_map.hpp"
 #include "analysis/problems/numbers.hpp"
 #include "analysis/program/parse.hpp"
 #include "analysis/program/print.hpp"
