@@ -187,7 +187,20 @@ class Writer {
     }
     if (const auto decimal = short_decimal(value)) return {whole(*decimal), kAtom};
     if (value.is_integer()) return {whole(value.str()), kAtom};
+    // A quotient rounds once only while both of its numbers are exact in binary32.
+    constexpr int kExact = 1 << 24;
+    if (value.numerator() > kExact || value.denominator() > kExact)
+      return {whole(long_decimal(value)), kAtom};
     return {whole(value.numerator().str()) + " / " + whole(value.denominator().str()), kProduct};
+  }
+
+  /// More digits than any of these languages' numbers hold.
+  static std::string long_decimal(const Rational& value) {
+    constexpr int kDigits = 25;
+    std::string text = value.significant(kDigits);
+    if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
+    text.erase(text.find_last_not_of('0') + 1);
+    return text.back() == '.' ? text + "0" : text;
   }
 
   /// x x x from the left, as a step that shortfall runs multiplies.

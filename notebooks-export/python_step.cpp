@@ -112,8 +112,10 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
+constexpr int kRootDigits = 20;  // not used: irrational coefficients are refused below
+
 PythonStep::PythonStep(const Program& program, const Values& given, int substeps)
-    : program_(undisturbed(substepped(program, substeps))),
+    : program_(with_numbers(undisturbed(substepped(program, substeps)), kRootDigits)),
       values_(parameter_values(program, given)),
       substeps_(substeps) {
   if (!program.roots.empty())

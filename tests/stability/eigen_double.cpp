@@ -38,6 +38,7 @@ TEST_CASE("exact growth agrees with Eigen's eigenvalues for the whole catalogue,
   for (const Program& p : testing::undamped_catalogue()) {
     CAPTURE(p.name);
     const Amplification a = amplification(p, parameter_values(p));
+    if (!a.algebraic.empty()) continue;  // irrational numbers have tests of their own
     const SampledEigenvalues sampled(a);
     for (int i = 1; i <= 60; ++i) {
       const Rational z(i, 11);

@@ -56,7 +56,11 @@ TEST_CASE("just inside the limit 12000 steps stay bounded, outside they do not: 
     CAPTURE(p.name);
     const double z = std::stod(limit->decimal(17));
     CHECK(growth(p, z * 0.999) < 1e6);
-    CHECK(growth(p, z * 1.5) > 1e9);
+    // Some are stable again further out: half the way to there.
+    const Windows windows = oscillator_windows(p);
+    const bool again = windows.windows.size() > 1;
+    const double beyond = again ? (z + windows.windows[1].from->at.to_double()) / 2 : 1.5 * z;
+    CHECK(growth(p, beyond) > (again ? 100 : 1e9));  // a narrow hole is left slowly
     ++checked;
   }
   CHECK(checked > 10);
