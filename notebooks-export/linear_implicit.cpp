@@ -19,10 +19,14 @@ Expr truth(const LinearKit& kit, std::size_t i) {
   return name(kit.letters[kit.implicit->unknowns[i] == kStiffness ? kTrueStiffness : kTrueDamping]);
 }
 
-std::string list_of_unknowns(const LinearKit& kit, Style style) {
+/// k_new and c_new, or h^2 k_new and h c_new.
+std::string list_of_unknowns(const LinearKit& kit, Style style, bool scaled = false) {
   std::string text;
-  for (std::size_t i = 0; i < kit.implicit->unknowns.size(); ++i)
-    text += (i ? " and " : "") + print(name(unknown_name(kit, i)), style);
+  for (std::size_t i = 0; i < kit.implicit->unknowns.size(); ++i) {
+    const Expr own = name(unknown_name(kit, i));
+    const Expr h = kit.implicit->unknowns[i] == kStiffness ? power(name("h"), 2) : name("h");
+    text += (i ? " and " : "") + print(scaled ? h * own : own, style);
+  }
   return text;
 }
 
@@ -77,7 +81,8 @@ std::string implicit_text(const LinearKit& kit, Style style) {
   if (!one)
     text = text.substr(0, text.rfind("it exists")) +
            "they exist and are unique for small h: the determinant of the derivatives of both equations";
-  text += " by " + list_of_unknowns(kit, style) + " is " + print(formula(p.jacobian, kit.wording()), style) +
+  text += " by " + list_of_unknowns(kit, style, true) + " is " +
+          print(formula(p.jacobian, kit.wording()), style) +
           " in the\n    limit, not 0 (implicit function theorem)\n";
   for (std::size_t i = 0; i < p.leading.size(); ++i)
     text += "    " + print(name(unknown_name(kit, i)), style) + " = " +

@@ -83,7 +83,7 @@ std::vector<Fraction> leading_differences(const Matching& m, const BranchPoint& 
   std::vector<Rational> jacobian;
   for (const Polynomial& equation : m.equations)
     for (const Letter unknown : m.unknowns) {
-      Polynomial d = equation.derivative(unknown).substitute(kStepLetter, Rational(1));
+      Polynomial d = small_step_part(equation).derivative(unknown);
       for (const auto& [letter, value] : point) d = d.substitute(letter, value);
       jacobian.push_back(d.constant());
     }

@@ -70,7 +70,9 @@ std::vector<Definition> by_square_roots(const StabilityFunction& r, const std::v
 /// The answer of the step as a function of y = h^2 k or d = h c alone, from an equation that is linear in
 /// what the flow gives: T = 2 cos(w h), or D.
 std::optional<Fraction> answer(const ImplicitParameters& p, Letter given) {
-  const Polynomial equation = p.equations[0].substitute(kStepLetter, Rational(1));
+  const Polynomial equation = small_step_part(p.equations[0]);
+  // Only where it depends on h^2 k or h c alone, whatever h is.
+  if (equation.terms().size() != p.equations[0].terms().size()) return std::nullopt;
   if (equation.degree(given) != 1) return std::nullopt;
   const Fraction g = -Fraction(equation.coefficient(given, 0), equation.coefficient(given, 1));
   for (Letter letter = 0; letter < kLetters; ++letter)

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/problems/letters.hpp"
 
 namespace shortfall {
 
@@ -24,9 +25,15 @@ bool in_number_field(const std::vector<Fraction>& conditions) {
   return false;
 }
 
-/// Whether a value of the unknown is 0 at the point, as the solution that is wanted is.
-bool on_branch(const Fraction& value, const BranchPoint& point) {
-  return at(value.numerator(), point).is_zero() && !at(value.denominator(), point).is_zero();
+/// Whether an equation holds at the point, and has a simple root there.
+bool on_branch(const Polynomial& equation, Letter unknown, const BranchPoint& point) {
+  const Polynomial part = small_step_part(equation);
+  return at(part, point).is_zero() && !at(part.derivative(unknown), point).is_zero();
+}
+
+/// Whether a value of the unknown is that of the solution that is wanted.
+bool on_branch(const Fraction& value, Letter unknown, const BranchPoint& point) {
+  return on_branch(value.denominator() * Polynomial::letter(unknown) - value.numerator(), unknown, point);
 }
 
 /// The value of a letter from an equation that is linear in it; empty when it is not.
@@ -44,13 +51,13 @@ bool all_zero(const std::vector<Fraction>& conditions, const Matching& m) {
 Polynomial branch_factor(const Polynomial& p, const BranchPoint& point) {
   Polynomial result = 1;
   for (const auto& [factor, multiplicity] : factor(p).factors)
-    if (at(factor, point).is_zero()) result = result * factor.pow(multiplicity);
+    if (at(small_step_part(factor), point).is_zero()) result = result * factor.pow(multiplicity);
   return result;
 }
 
 Matching one_unknown(const std::vector<Fraction>& conditions, Letter unknown, const BranchPoint& point,
                      const std::vector<std::string>& names) {
-  Matching m{Matching::Kind::impossible, {unknown}, {}, {}, {}};
+  Matching m{Matching::Kind::impossible, {unknown}, {}, {}, {}, false};
   Polynomial common;
   for (const Fraction& condition : conditions) {
     if (!condition.is_zero() && !condition.contains(unknown)) {
@@ -73,7 +80,9 @@ Matching one_unknown(const std::vector<Fraction>& conditions, Letter unknown, co
   for (const auto& [factor, multiplicity] : factor(common).factors) {
     if (factor.degree(unknown) != 1) continue;
     m.values = {-Fraction(factor.coefficient(unknown, 0), factor.coefficient(unknown, 1))};
-    if (on_branch(m.values[0], point)) {
+    // The only root there is needs no branch.
+    m.only = common.degree(unknown) == 1;
+    if (m.only || on_branch(factor, unknown, point)) {
       m.kind = Matching::Kind::rational;
       return m;
     }
@@ -89,6 +98,20 @@ Matching one_unknown(const std::vector<Fraction>& conditions, Letter unknown, co
 
 }  // namespace
 
+Polynomial small_step_part(const Polynomial& p) {
+  const auto order = [](const Polynomial::Term& t) {
+    return t.monomial.exponent(kStepLetter) - 2 * t.monomial.exponent(kStiffness) -
+           t.monomial.exponent(kDamping);
+  };
+  if (p.is_zero()) return p;
+  int least = order(p.terms().front());
+  for (const Polynomial::Term& t : p.terms()) least = std::min(least, order(t));
+  std::vector<Polynomial::Term> kept;
+  for (const Polynomial::Term& t : p.terms())
+    if (order(t) == least) kept.push_back({t.monomial.without(kStepLetter), t.coefficient});
+  return Polynomial::from_terms(std::move(kept));
+}
+
 Fraction Matching::put_into(Fraction f) const {
   for (std::size_t i = 0; i < values.size(); ++i) f = f.substitute(unknowns[i], values[i]);
   return f;
@@ -99,7 +122,7 @@ Matching matching(const std::vector<Fraction>& conditions, const std::vector<Let
   if (unknowns.size() == 1) return one_unknown(conditions, unknowns[0], point, names);
   for (const Fraction& condition : conditions)
     if (!condition.is_zero() && !condition.contains(unknowns[0]) && !condition.contains(unknowns[1])) {
-      Matching m{Matching::Kind::impossible, unknowns, {}, {}, {}};
+      Matching m{Matching::Kind::impossible, unknowns, {}, {}, {}, false};
       m.obstruction = "no choice of " + names[unknowns[0]] + " and " + names[unknowns[1]] +
                       " changes the difference " + condition.str(names);
       return m;
@@ -116,23 +139,25 @@ Matching matching(const std::vector<Fraction>& conditions, const std::vector<Let
       const bool always =
           !conditions[by].numerator().coefficient(unknowns[eliminated], 1).contains(unknowns[1 - eliminated]);
       if (inner.kind == Matching::Kind::impossible && always) {
-        Matching m{Matching::Kind::impossible, unknowns, {}, {}, {}};
+        Matching m{Matching::Kind::impossible, unknowns, {}, {}, {}, false};
         m.obstruction = "with " + names[unknowns[eliminated]] + " = " + value->str(names) +
                         " from one condition, " + inner.obstruction;
         return m;
       }
       if (inner.kind != Matching::Kind::rational) continue;
-      Matching m{Matching::Kind::rational, unknowns, std::vector<Fraction>(2), {}, {}};
+      Matching m{Matching::Kind::rational, unknowns, std::vector<Fraction>(2), {}, {}, false};
       try {
         m.values[1 - eliminated] = inner.values[0];
         m.values[eliminated] = inner.put_into(*value);
-        if (all_zero(conditions, m) && on_branch(m.values[0], point) && on_branch(m.values[1], point))
+        m.only = inner.only && always;
+        if (all_zero(conditions, m) && (m.only || (on_branch(m.values[0], unknowns[0], point) &&
+                                                   on_branch(m.values[1], unknowns[1], point))))
           return m;
       } catch (const Undefined&) {
         // The eliminated unknown has no value there.
       }
     }
-  Matching m{Matching::Kind::algebraic, unknowns, {}, {}, {}};
+  Matching m{Matching::Kind::algebraic, unknowns, {}, {}, {}, false};
   for (const Fraction& condition : conditions)
     m.equations.push_back(branch_factor(condition.numerator(), point));
   for (const Polynomial& p : m.equations)
@@ -147,7 +172,8 @@ Matching matching(const std::vector<Fraction>& conditions, const std::vector<Let
 Fraction branch_jacobian(const Matching& m, const BranchPoint& point) {
   std::vector<Fraction> d;
   for (const Polynomial& equation : m.equations)
-    for (const Letter unknown : m.unknowns) d.push_back(at(equation.derivative(unknown), point));
+    for (const Letter unknown : m.unknowns)
+      d.push_back(at(small_step_part(equation).derivative(unknown), point));
   return d.size() == 1 ? d[0] : d[0] * d[3] - d[1] * d[2];
 }
 

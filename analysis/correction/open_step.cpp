@@ -22,6 +22,7 @@ bool belongs_to_motion(Polynomial factor, const BranchPoint& units) {
   for (const auto& [letter, value] : units) factor = factor.substitute(letter, value);
   return Fraction(factor.substitute(kStiffness, Rational(0))
                       .substitute(kDamping, Rational(0))
+                      .substitute(kStepLetter, Rational(0))
                       .substitute(kEigenvalue, Rational(1)))
       .is_zero();
 }

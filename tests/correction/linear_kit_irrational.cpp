@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Integrators whose coefficients are roots, or that damp by exp: letters that are numbers, and letters that
-// are free.
+// Integrators whose coefficients are roots, or that damp by themselves, by exp or in a quotient: letters that
+// are numbers, and letters that are free.
 #include "analysis/correction/kit_numbers.hpp"
 #include "analysis/program/parse.hpp"
 #include "tests/correction/linear_motions.hpp"
@@ -29,6 +29,13 @@ step
   x = x + h*v
 )";
 
+const char* const kDampsByItself = R"(integrator engine
+  param g : 1/T = 1/10
+step
+  v = (v + h*a(x, v, t))/(1 + g*h)
+  x = x + h*v
+)";
+
 const char* const kSquareRoot = R"(integrator sq
 step
   x1 = x + (1 - sqrt(2)/2)*h*v
@@ -44,17 +51,21 @@ const std::vector<Case> kCases = {{"spring", 3, 0, {}},
 
 TEST_CASE("kits of integrators with roots and with exp make every frame exact") {
   const Precision precision(kDigits);
-  for (const char* text : {kForestRuth, kDampsByExp, kSquareRoot})
+  for (const char* text : {kForestRuth, kDampsByExp, kDampsByItself, kSquareRoot})
     for (const Case& test : kCases) {
       CAPTURE(text);
       CAPTURE(test.force);
       const Program p = parse(text, "mine.integrator");
       Motions m(p, test, Rational(1, 20));
       m.values["g"] = decimal(Rational(1, 10));
-      const LinearKit kit = linear_kit(p, m.force, {});
-      CAPTURE(kit.obstruction);
-      REQUIRE(kit.exists);
-      check_every_frame(m, kit, 50);
+      // Parameters left open, and given as numbers.
+      for (const Values& given : {Values{}, parameter_values(p)}) {
+        const LinearKit kit = linear_kit(p, m.force, given);
+        CAPTURE(kit.obstruction);
+        REQUIRE(kit.exists);
+        Motions fresh = m;
+        check_every_frame(fresh, kit, 50);
+      }
     }
 }
 
@@ -75,7 +86,7 @@ TEST_CASE("Forest and Ruth's method keeps areas: a stiffness alone, though its c
 TEST_CASE(
     "numbers after many steps of integrators with roots and with exp agree with stepping at 100 digits") {
   const Precision precision(kDigits);
-  for (const char* text : {kForestRuth, kDampsByExp, kSquareRoot})
+  for (const char* text : {kForestRuth, kDampsByExp, kDampsByItself, kSquareRoot})
     for (const char* force : {"spring:k=3", "constant:a=2+damped-spring:k=4,c=1/3"}) {
       CAPTURE(text);
       CAPTURE(force);
@@ -103,4 +114,24 @@ TEST_CASE(
       REQUIRE(kit.exists);
       CHECK_NOTHROW(kit_numbers(kit, q.force, parameter_values(p), q.h));
     }
+}
+
+TEST_CASE("the engines of the catalogue have kits, and those make every frame exact") {
+  const Precision precision(kDigits);
+  int repaired = 0;
+  for (const char* engine :
+       {"box2d-2", "bullet", "godot", "jolt", "matter-js", "physx", "rapier", "ode", "mujoco-rk4"})
+    for (const Case& test : kCases) {
+      CAPTURE(engine);
+      CAPTURE(test.force);
+      const Program p = find_integrator(engine);
+      Motions m(p, test, Rational(1, 60));
+      const LinearKit kit = linear_kit(p, m.force, parameter_values(p));
+      CAPTURE(kit.obstruction);
+      CHECK(kit.exists);
+      if (!kit.exists) continue;
+      check_every_frame(m, kit, 20);
+      ++repaired;
+    }
+  CHECK(repaired > 20);
 }

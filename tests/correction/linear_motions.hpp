@@ -83,6 +83,8 @@ struct Motions {
       : program(integrator), force(force_named(c.force)), test(c) {
     for (const auto& [name, number] : {std::pair<const char*, Rational>{"k", c.k},
                                        {"c", c.c},
+                                       {"k_force", c.k},  // so called beside a parameter k
+                                       {"c_force", c.c},
                                        {"h", h},
                                        {"x0", Rational(7, 5)},
                                        {"v0", Rational(-3, 4)}})
