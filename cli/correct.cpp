@@ -5,6 +5,8 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit.hpp"
 #include "analysis/correction/linear_kit.hpp"
+#include "analysis/motion/own_equation.hpp"
+#include "analysis/program/print.hpp"
 #include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
 #include "cli/force.hpp"
@@ -36,14 +38,13 @@ std::string as_code(const Question& q, const std::string& word, const std::strin
   return kit_code(correction_kit(d), d, *language);
 }
 
-int correct_linear(const Question& q, const Force& force) {
-  const Program program = q.program();
-  const LinearKit kit = linear_kit(program, force, q.values(), q.substeps());
+int correct_linear(const Question& q, const Program& program, const Force& force) {
+  const LinearKit kit = linear_kit(program, force_named(q.force), q.values(), q.substeps());
   const Style style = q.ascii ? Style::language : Style::unicode;
   // With numbers for the letters there are numbers to type in, too.
   std::optional<KitNumbers> numbers;
   std::string no_numbers;
-  if (kit.exists && (!force.spring || force.k) && (!force.damper || force.c)) {
+  if (kit.exists && force.numeric()) {
     try {
       numbers = kit_numbers(kit, force, parameter_values(program, q.values()), q.step());
     } catch (const Unable& e) {
@@ -51,14 +52,16 @@ int correct_linear(const Question& q, const Force& force) {
     }
   }
   if (q.json) {
-    auto json = as_json(kit, linear_derivation(program, force, q.values(), q.substeps()));
+    auto json = as_json(kit, linear_derivation(program, force_named(q.force), q.values(), q.substeps()));
     json["dt"] = q.step().str();
     json["numbers"] = numbers ? as_json(*numbers) : nlohmann::ordered_json(nullptr);
     json["numbers_obstruction"] =
         no_numbers.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(no_numbers);
     write_output(json.dump(2) + "\n", q.output);
   } else {
-    std::string text = program.name + ", force " + force.text + "\n" + as_text(kit, style);
+    std::string text = program.name + ", force " + force.text;
+    if (program.solves) text += ", the true motion with its own x'' = " + print(program.solves, style);
+    text += "\n" + as_text(kit, style);
     if (numbers) text += as_text(*numbers, kit, q.step());
     if (!no_numbers.empty()) text += "  At dt = " + q.step().str() + " s none: " + no_numbers + "\n";
     write_output(text, q.output);
@@ -67,8 +70,10 @@ int correct_linear(const Question& q, const Force& force) {
 }
 
 int correct(const Question& q) {
-  if (const Force force = force_named(q.force); force.linear()) return correct_linear(q, force);
-  const Derivation d = derivation(q.program(), force_degree(q.force), q.values(), q.substeps(), false);
+  const Program program = q.program();
+  const Force force = with_own_equation(force_named(q.force), program, q.values());
+  if (force.linear()) return correct_linear(q, program, force);
+  const Derivation d = derivation(program, force.degree, q.values(), q.substeps(), false);
   const CorrectionKit kit = correction_kit(d);
   if (q.json) {
     write_output(as_json(kit, d).dump(2) + "\n", q.output);

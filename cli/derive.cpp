@@ -6,6 +6,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit.hpp"
 #include "analysis/correction/linear_kit.hpp"
+#include "analysis/motion/own_equation.hpp"
 #include "cli/command.hpp"
 #include "cli/derive_numbers.hpp"
 #include "cli/force.hpp"
@@ -21,8 +22,7 @@ namespace {
 constexpr int kHighestWithKit = 30;         // solving for the kit grows with the cube of the degree
 constexpr int kHighestWithDerivation = 30;  // nobody reads the lines of a higher one
 
-int derive_linear(const Question& q, const Force& force) {
-  const Program program = q.program();
+int derive_linear(const Question& q, const Program& program, const Force& force) {
   const LinearDerivation d = linear_derivation(program, force, q.values(), q.substeps());
   const LinearKit kit = linear_kit(program, force, q.values(), q.substeps());
   if (q.json)
@@ -35,15 +35,16 @@ int derive_linear(const Question& q, const Force& force) {
 }
 
 int derive(const Question& q) {
-  const Force force = force_named(q.force);
-  if (!force.push.empty())
+  const Force asked = force_named(q.force);
+  if (!asked.push.empty())
     throw BadInput(
         "--force '" + q.force.substr(0, 60) +
         "': formulas keep the letters of the force polynomial; a number for them goes with --steps");
-  if (force.linear()) return derive_linear(q, force);
-  const int degree = force_degree(q.force);
-  const Derivation d =
-      derivation(q.program(), degree, q.values(), q.substeps(), degree <= kHighestWithDerivation);
+  const Program program = q.program();
+  const Force force = with_own_equation(asked, program, q.values());
+  if (force.linear()) return derive_linear(q, program, asked);
+  const int degree = force.degree;
+  const Derivation d = derivation(program, degree, q.values(), q.substeps(), degree <= kHighestWithDerivation);
   CorrectionKit kit;
   const bool with_kit = degree <= kHighestWithKit;
   if (with_kit) kit = correction_kit(d);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/motion/own_equation.hpp"
 #include "analysis/motion/verify.hpp"
 #include "analysis/program/parse.hpp"
 #include "analysis/program/print.hpp"
@@ -54,7 +56,9 @@ int verify(const Question& q, const std::string& x, const std::string& v) {
     throw BadInput("verify takes a formula: --x \"x0 + v0*t + ...\" or --v \"v0 + a*t\"");
   const Program program = q.program();
   const Values values = q.values();
-  const int degree = force_degree(q.force);
+  // Of an integrator that damps itself the motion is asked for without a force -k x - c v besides.
+  const Force force = without_own_equation(with_own_equation(force_named(q.force), program, values));
+  const int degree = program.solves && !force.linear() ? std::max(force.degree, 0) : force_degree(q.force);
   const Names names = formula_names(program, degree);
   std::vector<std::tuple<std::string, Expr, bool>> claims;
   try {

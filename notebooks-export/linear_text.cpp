@@ -134,6 +134,9 @@ std::string as_text(const LinearKit& kit, Style style) {
 std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style) {
   const Wording w = d.wording();
   std::string text = d.integrator + ", " + equation_of_motion(d, style) + "\n";
+  if (d.force.own_c || d.force.own_k)
+    text += "This is the motion that " + d.integrator + " itself is meant for: its own " +
+            (d.force.own_c ? "damping" : "spring") + " is physics, not an error.\n";
   if (d.substeps > 1)
     text += "h is the frame; it is stepped in " + std::to_string(d.substeps) + " substeps of h/" +
             std::to_string(d.substeps) + ".\n";

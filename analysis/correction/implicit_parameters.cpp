@@ -131,7 +131,9 @@ ImplicitParameters implicit_parameters(const Matching& matching, const BranchPoi
   p.jacobian = branch_jacobian(matching, point);
   p.leading = leading_differences(matching, point, k, c);
   try {
-    if (const auto r = stability_function(program, given); r && r->algebraic.empty()) {
+    // With an equation of its own the integrator is no R(h A) of the force alone.
+    const auto r = program.solves ? std::optional<StabilityFunction>() : stability_function(program, given);
+    if (r && r->algebraic.empty()) {
       p.stability_function = function_formula(*r, substeps);
       if (substeps == 1) p.radicals = by_square_roots(*r, p.unknowns, c.is_zero(), names);
     }

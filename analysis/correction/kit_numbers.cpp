@@ -142,8 +142,7 @@ std::vector<std::string> vectors(int degree) {
 KitNumbers kit_numbers(const LinearKit& kit, const Force& force, const Values& parameters, const Rational& h,
                        int digits) {
   if (!kit.exists) throw Unable("there is no kit to be put in numbers: " + kit.obstruction);
-  if ((force.spring && !force.k) || (force.damper && !force.c))
-    throw BadInput("numbers need a number for k and c, as in damped-spring:k=4,c=1/2");
+  if (!force.numeric()) throw BadInput("numbers need a number for k and c, as in damped-spring:k=4,c=1/2");
   const std::vector<std::string> names = vectors(force.degree);
   for (int bits = 8 * digits + 64;; bits *= 2) {
     KitNumbers result;

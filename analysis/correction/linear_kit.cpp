@@ -8,6 +8,7 @@
 #include "analysis/correction/linear_launch.hpp"
 #include "analysis/correction/matching.hpp"
 #include "analysis/correction/open_step.hpp"
+#include "analysis/correction/own_parameters.hpp"
 #include "analysis/program/print.hpp"
 
 namespace shortfall {
@@ -37,14 +38,23 @@ Expr derivative(int j, int degree, bool at_zero) {
 
 class Matcher {
  public:
-  Matcher(const Program& program, const Force& force, const Values& given, int substeps)
-      : program_(program), force_(force), given_(given), substeps_(substeps) {
-    k_ = !force.spring ? Fraction() : force.k ? Fraction(*force.k) : Fraction::letter(kTrueStiffness);
-    c_ = !force.damper ? Fraction() : force.c ? Fraction(*force.c) : Fraction::letter(kTrueDamping);
-    cosine_ = force.spring ? Fraction::letter(kFlowCosine) : Fraction(1);
-    decay_ = force.damper ? Fraction::letter(kFlowDecay) : Fraction(1);
-    sine_ = force.spring ? Fraction::letter(kFlowSine) : (Fraction(1) - decay_) / c_;
-    trace_ = force.spring ? Fraction::letter(kFlowTrace) : Fraction(1) + decay_;
+  Matcher(const Program& program, const Force& asked, const Values& given, int substeps)
+      : program_(program),
+        own_(own_parameters(program, asked, given, substeps)),
+        force_(own_.force),
+        given_(own_.given),
+        substeps_(substeps) {
+    const auto known = [](bool there, const auto& own, const auto& number, Letter letter) {
+      return !there ? Fraction() : own ? *own : number ? Fraction(*number) : Fraction::letter(letter);
+    };
+    k_ = known(force_.spring, force_.own_k, force_.k, kTrueStiffness);
+    c_ = known(force_.damper, force_.own_c, force_.c, kTrueDamping);
+    cosine_ = force_.spring ? Fraction::letter(kFlowCosine) : Fraction(1);
+    decay_ = !force_.damper ? Fraction(1)
+             : own_.decay   ? Fraction::letter(own_.decay->letter).pow(own_.decay->power)
+                            : Fraction::letter(kFlowDecay);
+    sine_ = force_.spring ? Fraction::letter(kFlowSine) : (Fraction(1) - decay_) / c_;
+    trace_ = force_.spring ? Fraction::letter(kFlowTrace) : Fraction(1) + decay_;
     point_ = {{kStiffness, 0}, {kDamping, 0}, {kFlowTrace, 2}, {kFlowDecay, 1}};
   }
 
@@ -54,10 +64,24 @@ class Matcher {
                    std::to_string(kHighestDegree));
     // The integrator with the parameters still free; without damping first, with it when that cannot be
     // matched.
-    Force free = force_;
+    Force free = without_own_equation(force_);
     free.k.reset();
     free.c.reset();
     Matching found = match(free);
+    // Every substep leaves the same share of the velocity: with the root of D the parameter is rational.
+    const int parts = found.kind == Matching::Kind::algebraic && !force_.spring ? equal_parts() : 1;
+    if (parts > 1) {
+      decay_ = Fraction::letter(kFlowDecay).pow(parts);
+      sine_ = (Fraction(1) - decay_) / c_;
+      trace_ = Fraction(1) + decay_;
+      if (const Matching finer = match(free); finer.kind == Matching::Kind::rational) {
+        found = finer;
+        parts_ = parts;
+        names_[kFlowDecay] = unused_name("d", step_->map.letters);
+      } else {
+        throw Error("a root of the decay does not give the parameter");
+      }
+    }
     if (found.kind == Matching::Kind::impossible && !force_.damper) {
       kit_.notes.push_back(why_not_stiffness_alone(found));
       free.damper = true;
@@ -79,26 +103,62 @@ class Matcher {
  private:
   /// Opens the step and solves for the parameters that it leaves free.
   Matching match(const Force& free) {
-    step_ = open_step(program_, free, given_, substeps_);
+    step_ = open_step(program_, free, given_, substeps_, own_.replacements);
+    if (program_.solves) {  // its functions become letters that the true motion may use
+      const NumberField field(step_->map.generators);
+      own_equation(program_, given_, *step_->map.force.extras);
+      step_->map.letters = step_->map.force.extras->names();
+      step_->map.extras = step_->map.force.extras->all();
+    }
     names_ = step_->map.letters;
     kit_.extras = step_->map.extras;
     for (const auto& value : step_->small_step_values()) point_.push_back(value);
     if (static_cast<int>(names_.size()) > kTrueStiffness)
       throw Unable("corrections for linear forces carry at most 6 free parameters, roots and functions");
     names_.resize(kLetters);
-    const std::vector<std::string>& own = step_->map.letters;
+    const std::vector<std::string> own = step_->map.letters;
     names_[kStiffness] = unused_name("k_new", own);
     names_[kDamping] = unused_name("c_new", own);
+    for (const OwnParameters::Tuned& t : own_.tuned)
+      if (t.scale.is_one()) names_[t.unknown] = unused_name(t.name + "_new", own);
     names_[kFlowTrace] = unused_name("T", own);
     names_[kTrueStiffness] = own[kStiffness];
     names_[kTrueDamping] = own[kDamping];
     names_[kFlowCosine] = unused_name("C", own);
     names_[kFlowSine] = unused_name("S", own);
     names_[kFlowDecay] = unused_name("D", own);
+    if (own_.decay) names_[decay_letter()] = unused_name(own_.decay->power == 1 ? "D" : "d", own);
     std::vector<Letter> unknowns;
-    if (free.spring) unknowns.push_back(kStiffness);
-    if (free.damper) unknowns.push_back(kDamping);
+    if (free.spring || own_.tuned_for(kStiffness)) unknowns.push_back(kStiffness);
+    if (free.damper || own_.tuned_for(kDamping)) unknowns.push_back(kDamping);
+    if (unknowns.empty()) return nothing_to_tune();
     return matching(conditions(), unknowns, point_, names_);
+  }
+
+  Matching nothing_to_tune() const {
+    Matching m{Matching::Kind::rational, {}, {}, {}, {}};
+    for (const Fraction& condition : conditions())
+      if (!condition.is_zero()) {
+        m.kind = Matching::Kind::unknown;
+        m.obstruction = "it damps by " + print(formula(decay_, wording())) +
+                        ", with no parameter left that could change the difference " +
+                        print(formula(condition, wording()));
+      }
+    return m;
+  }
+
+  /// How many equal substeps a step has, as far as it says so.
+  int equal_parts() const {
+    int parts = substeps_;
+    const Values values = parameter_values(program_, given_);
+    for (const Statement& s : program_.step) {
+      if (s.kind != Statement::Kind::substeps) continue;
+      const auto count =
+          s.value->op == Expression::Op::name ? values.at(s.value->name) : literal_value(s.value).value_or(1);
+      std::int64_t whole = 1;
+      if (count.fits_int64(whole)) parts *= static_cast<int>(whole);
+    }
+    return parts;
   }
 
   /// That z^2 - T z + D divides the characteristic polynomial.
@@ -185,12 +245,23 @@ class Matcher {
     kit_.exists = true;
     for (std::size_t i = 0; i < found.unknowns.size(); ++i) {
       const bool k = found.unknowns[i] == kStiffness;
+      const OwnParameters::Tuned* own = own_.tuned_for(found.unknowns[i]);
       const Expr value =
-          substitute ? formula(put_(found.values[i]), wording()) : name(names_[found.unknowns[i]]);
-      add(LinearCorrection::Kind::parameter, k ? "k" : "c", value,
-          k ? "give the integrator this stiffness: the frequency is then exact"
-            : "give the integrator this damping: the decay is then exact");
+          substitute ? formula(own ? put_(found.values[i] / own->scale) : put_(found.values[i]), wording())
+          : own      ? name(names_[found.unknowns[i]]) / formula(own->scale, wording())
+                     : name(names_[found.unknowns[i]]);
+      add(LinearCorrection::Kind::parameter,
+          own ? own->name
+          : k ? "k"
+              : "c",
+          value,
+          std::string("give the integrator this ") + (k ? "stiffness" : "damping") +
+              (own ? ", its parameter" : "") + ": the " + (k ? "frequency" : "decay") + " is then exact");
     }
+    if (own_.decay && !force_.spring)
+      kit_.notes.push_back(
+          "the step takes the decay " + print(formula(decay_, wording())) +
+          " exactly: without a force every velocity is exact already, and there is no damping to be tuned");
     if (!substitute) {
       kit_.implicit = implicit_parameters(found, point_, k_, c_, program_, given_, substeps_, names_);
       if (kit_.implicit->jacobian.is_zero()) {
@@ -278,8 +349,17 @@ class Matcher {
         "; they agree at n = 0 and 1, hence for every n. Each premise was compared as a rational function.";
   }
 
+  Letter decay_letter() const { return own_.decay ? own_.decay->letter : kFlowDecay; }
+
+  /// What the letter of an exact decay stands for, as the integrator writes it.
+  Expr own_share() const {
+    for (const ExtraLetters::Extra& e : step_->map.force.extras->all())
+      if (e.letter == own_.decay->letter) return letter_expression(e.name);
+    throw Error("the letter of a decay is gone");
+  }
+
   void define_flow() {
-    const LinearFlow flow = linear_flow(force_, step_->map.letters);
+    const LinearFlow flow = linear_flow(force_, step_->map.force.extras->names());
     kit_.definitions = flow.definitions;
     kit_.other_flows = flow.others;
     const auto at_h = [](const Expr& e) { return replace(e, "t", name("h")); };
@@ -289,14 +369,18 @@ class Matcher {
       kit_.definitions.push_back(
           {names_[kFlowSine], at_h(flow.sine), "true position after h from x0 = 0, v0 = 1"});
     }
-    const Expr c = formula(c_, wording());
+    const int parts = own_.decay ? own_.decay->power : parts_;
     if (force_.damper)
-      kit_.definitions.push_back({names_[kFlowDecay], call("exp", {negate(c) * name("h")}),
-                                  "the share of the velocity that damping leaves after h"});
+      kit_.definitions.push_back(
+          {names_[decay_letter()],
+           own_.decay ? own_share() : call("exp", {formula(-c_ / Fraction(parts), wording()) * name("h")}),
+           "the share of the velocity that damping leaves after h" +
+               (parts == 1 ? "" : "/" + std::to_string(parts))});
     if (force_.spring && force_.damper)
-      kit_.definitions.push_back({names_[kFlowTrace],
-                                  number(2) * name(names_[kFlowCosine]) - c * name(names_[kFlowSine]),
-                                  "the trace of the exact flow over h"});
+      kit_.definitions.push_back(
+          {names_[kFlowTrace],
+           number(2) * name(names_[kFlowCosine]) - chained(formula(c_, wording()), name(names_[kFlowSine])),
+           "the trace of the exact flow over h"});
     if (kit_.implicit) {
       if (force_.spring && !force_.damper)
         for (Polynomial& p : kit_.implicit->equations)
@@ -306,9 +390,11 @@ class Matcher {
   }
 
   const Program& program_;
-  const Force& force_;
-  const Values& given_;
+  OwnParameters own_;
+  const Force& force_;   ///< of the true motion
+  const Values& given_;  ///< the parameters that are not solved for
   int substeps_;
+  int parts_ = 1;  ///< D is this power of the letter kFlowDecay
   LinearKit kit_;
   std::optional<OpenStep> step_;
   std::vector<std::string> names_;

@@ -81,10 +81,17 @@ Fraction OpenStep::start(int s, int column) const {
   return map.start[s][column < 2 ? column : map.force.force_column(column - 2)];
 }
 
-OpenStep open_step(const Program& program, const Force& force, const Values& given, int substeps) {
+OpenStep open_step(const Program& program, const Force& force, const Values& given, int substeps,
+                   const std::vector<Replacement>& own) {
   OpenStep step;
   step.map =
       step_map(lower(substepped(program, substeps), given), force.degree, force.stiffness(), force.damping());
+  for (const auto& [letter, value] : own) {
+    for (auto* rows : {&step.map.start, &step.map.step})
+      for (LinearForm& row : *rows) row = row.substitute(letter, value);
+    step.map.position = step.map.position.substitute(letter, value);
+    step.map.velocity = step.map.velocity.substitute(letter, value);
+  }
   const NumberField field(step.map.generators);
   step.form = closed_form(step.map);
   step.matrix = step.map.matrix();

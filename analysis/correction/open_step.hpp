@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "analysis/correction/matching.hpp"
@@ -36,8 +37,13 @@ struct OpenStep {
   Fraction start(int s, int column) const;
 };
 
+/// A letter of the step and what is put in its place.
+using Replacement = std::pair<Letter, Fraction>;
+
 /// param   force  whose k and c are letters where they are to be solved for
+/// param   own    parameters of the integrator that take the place of k or c
 /// throws  Undefined, Unable  as step_map and closed_form
-OpenStep open_step(const Program& program, const Force& force, const Values& given, int substeps);
+OpenStep open_step(const Program& program, const Force& force, const Values& given, int substeps,
+                   const std::vector<Replacement>& own = {});
 
 }  // namespace shortfall

@@ -99,12 +99,21 @@ void read_word(std::string_view text, std::string_view word, Force& force) {
 
 Fraction Force::stiffness() const {
   if (!spring) return {};
+  if (own_k) return *own_k;
   return k ? Fraction(*k) : Fraction::letter(kStiffness);
 }
 
 Fraction Force::damping() const {
   if (!damper) return {};
+  if (own_c) return *own_c;
   return c ? Fraction(*c) : Fraction::letter(kDamping);
+}
+
+bool Force::numeric() const {
+  const auto known = [&](bool there, const auto& value, const auto& own) {
+    return !there || value || (own && !own_open);
+  };
+  return known(spring, k, own_k) && known(damper, c, own_c);
 }
 
 Force force_named(std::string_view text) {

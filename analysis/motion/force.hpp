@@ -19,10 +19,16 @@ struct Force {
   std::optional<Rational> c;     ///< 1/s; a letter when not given
   std::map<int, Rational> push;  ///< f0 (= a), f1, ... as far as they are given as numbers
   std::string text = "constant";
+  /// Of an integrator that has a spring or a damper itself, see own_equation.hpp: k and c in its letters.
+  std::optional<Fraction> own_k;
+  std::optional<Fraction> own_c;
+  bool own_open = false;  ///< whether a parameter in them has no number
 
   bool linear() const { return spring || damper; }
   Fraction stiffness() const;  ///< the letter k, the number, or 0
   Fraction damping() const;
+  /// Whether k and c are known as numbers, or as functions of numbers.
+  bool numeric() const;
 };
 
 /// The force that a user means: constant, poly:D, spring, damped-spring, drag (a - c v), and sums such as

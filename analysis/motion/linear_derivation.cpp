@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/motion/agreement.hpp"
+#include "analysis/motion/own_equation.hpp"
 #include "analysis/motion/spectrum.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/transform.hpp"
@@ -149,16 +150,22 @@ std::vector<Polynomial> singular_factors(const StepMap& map) {
 
 }  // namespace
 
-LinearDerivation linear_derivation(const Program& program, const Force& force, const Values& given,
+LinearDerivation linear_derivation(const Program& program, const Force& asked, const Values& given,
                                    int substeps) {
   const Program stepped_program = substepped(program, substeps);
   const Tape tape = lower(stepped_program, given);
   LinearDerivation d;
   d.integrator = program.name;
-  d.force = force;
   d.substeps = substeps;
-  d.map = step_map(tape, force.degree, force.stiffness(), force.damping());
+  d.force = with_own_equation(asked, program, given);
+  const Force given_force = without_own_equation(d.force);
+  const Force& force = d.force;
+  d.map = step_map(tape, force.degree, given_force.stiffness(), given_force.damping());
   const NumberField field(d.map.generators);
+  // Once more, in the letters of this step.
+  d.force = with_own_equation(asked, program, given, *d.map.force.extras);
+  d.map.letters = d.map.force.extras->names();
+  d.map.extras = d.map.force.extras->all();
   d.form = closed_form(d.map);
   d.proof = prove(d.map, d.form);
   d.exact = linear_flow(force, d.map.letters);
@@ -170,7 +177,8 @@ LinearDerivation linear_derivation(const Program& program, const Force& force, c
   } else if (d.form.oscillation.order() == 2) {
     Wave(d).tell();
   }
-  d.check = random_check(stepped_program, given, {force.spring, force.damper, force.k, force.c}, d.map,
+  d.check = random_check(substepped(undisturbed(program), substeps), given,
+                         {given_force.spring, given_force.damper, given_force.k, given_force.c}, d.map,
                          d.form, 3, 12);
   d.assumptions = {"every step has the same length h"};
   d.assumptions.insert(d.assumptions.end(), d.map.assumed.begin(), d.map.assumed.end());

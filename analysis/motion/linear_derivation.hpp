@@ -20,7 +20,7 @@ struct RootCase {
 /// What is known exactly about an integrator under f0 + ... + fD t^D - k x - c v.
 struct LinearDerivation {
   std::string integrator;
-  Force force;
+  Force force;  ///< of the true motion: with the integrator's own equation, see own_equation.hpp
   int substeps = 1;
   StepMap map;
   ClosedForm form;
@@ -53,7 +53,7 @@ struct LinearDerivation {
 /// Derives and proves, by the characteristic polynomial of the step.
 ///
 /// throws  Unable  with the reason; Undefined when an implicit stage is singular
-LinearDerivation linear_derivation(const Program& program, const Force& force, const Values& given = {},
+LinearDerivation linear_derivation(const Program& program, const Force& asked, const Values& given = {},
                                    int substeps = 1);
 
 }  // namespace shortfall

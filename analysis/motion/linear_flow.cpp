@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/algebra/surd.hpp"
+#include "analysis/program/print.hpp"
 
 namespace shortfall {
 
@@ -24,9 +25,7 @@ Fraction as_fraction(const std::vector<Fraction>& p) {
   return total;
 }
 
-Expr first(const std::vector<Fraction>& p, const Wording& w) {
-  return p.empty() ? number(0) : formula(p[0], w);
-}
+Fraction first(const std::vector<Fraction>& p) { return p.empty() ? Fraction() : p[0]; }
 
 /// weight * vector * factor, left out when the weight is 0.
 Expr product(const Expr& weight, const Expr& vector, const Expr& factor) {
@@ -45,12 +44,16 @@ constexpr const char* kRunsAway = ": unstable physics, the true motion itself ru
 
 Fundamental drag(const Force& force, const Wording& w) {  // 1 and (1 - e^-ct)/c
   const Expr c = formula(force.damping(), w);
-  const Expr decay = call("exp", {negate(c) * kT});
-  const std::string condition = !force.c ? "c is not 0"
+  const Expr rate = formula(-force.damping(), w);  // log(1 - c), and not -(-log(1 - c))
+  const Expr decay = call("exp", {rate * kT});
+  const std::string name = print(c->op == Expression::Op::negate ? rate : c);
+  const std::string condition = !force.c ? (force.own_c ? name : "c") + " is not 0"
                                 : force.c->sign() < 0
                                     ? "c < 0, a drag that drives: the speed itself runs away"
                                     : "all t";
-  return {condition, {}, number(1), (number(1) - decay) / c, number(0), decay};
+  const Expr sine =
+      !force.c && c->op == Expression::Op::negate ? (decay - number(1)) / rate : (number(1) - decay) / c;
+  return {condition, {}, number(1), sine, number(0), decay};
 }
 
 /// From cos(w t), sin(w t)/w, or what takes their place, and the damping.
@@ -58,7 +61,7 @@ Fundamental damped(const Force& force, const Wording& w, const Expr& cosine, con
   const Expr k = formula(force.stiffness(), w);
   if (!force.damper) return {{}, {}, cosine, sine, negate(chained(k, sine)), cosine, sine};
   const Expr half = formula(force.damping() / Fraction(2), w);
-  const Expr decay = call("exp", {negate(half) * kT});
+  const Expr decay = call("exp", {formula(-force.damping() / Fraction(2), w) * kT});
   return {{},
           {},
           decay * (cosine + chained(half, sine)),
@@ -145,9 +148,14 @@ FlowCase motion(const Force& force, const Wording& w, const Fundamental& f) {
     x = joined(x, formula(as_fraction(p), letter, w));
     v = joined(v, formula(as_fraction(rate), letter, w));
     for (const auto& [begin, cosine, sine] :
-         {std::tuple{first(p, w), f.cosine, f.cosine_rate}, {first(rate, w), f.sine, f.sine_rate}}) {
-      x = x - product(begin, letter, cosine);
-      v = v - product(begin, letter, sine);
+         {std::tuple{first(p), f.cosine, f.cosine_rate}, {first(rate), f.sine, f.sine_rate}}) {
+      if (begin.is_zero()) continue;
+      const bool minus = begin.numerator().terms().front().coefficient.sign() < 0;
+      const Expr weight = formula(minus ? -begin : begin, w);
+      for (const auto& [total, factor] : {std::pair{&x, &cosine}, {&v, &sine}}) {
+        const Expr part = product(weight, letter, *factor);
+        *total = minus ? *total + part : *total - part;
+      }
     }
   }
   return {f.condition, f.definitions, x, v, f.cosine, f.sine};

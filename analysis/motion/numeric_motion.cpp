@@ -8,7 +8,9 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/motion/ball_flow.hpp"
 #include "analysis/motion/linear_flow.hpp"
+#include "analysis/motion/own_equation.hpp"
 #include "analysis/motion/step_map.hpp"
+#include "analysis/program/print.hpp"
 #include "analysis/program/transform.hpp"
 
 namespace shortfall {
@@ -38,7 +40,7 @@ class NumericStep {
  public:
   NumericStep(const Program& program, const NumericQuestion& q) {
     const Tape tape = lower(substepped(program, q.substeps), parameter_values(program, q.parameters));
-    const Force& f = q.force;
+    const Force f = without_own_equation(q.force);
     map_ = step_map(tape, f.degree, f.stiffness(), f.damping(), Fraction(q.h));
     const NumberField field(map_.generators);
     states_ = map_.force.states;
@@ -272,9 +274,12 @@ class NumericFlow {
   Rational free_x_, free_v_;      // first values of the rest
 };
 
-void check(const NumericQuestion& q) {
+void check(const NumericQuestion& q, const Program& program) {
   if (!q.steps.is_integer() || q.steps.sign() < 0 || q.steps > Rational(10).pow(100))
     throw BadInput("a number of steps is whole and from 0 to 10^100");
+  if ((q.force.own_k && !q.force.k) || (q.force.own_c && !q.force.c))
+    throw Unable("the true motion after n steps is computed for a rational damping; '" + program.name +
+                 "' solves x'' = " + print(program.solves) + ", where it is irrational");
   const auto need = [](bool there, const std::string& letter) {
     if (!there)
       throw BadInput("numbers after n steps need a number for " + letter +
@@ -299,8 +304,14 @@ int size_in_bits(const Rational& r) { return static_cast<int>(r.digits() * 10 / 
 
 }  // namespace
 
-NumericMotion numeric_motion(const Program& program, const NumericQuestion& q) {
-  check(q);
+Force true_force(const Program& program, const NumericQuestion& q) {
+  return with_own_equation(q.force, program, parameter_values(program, q.parameters));
+}
+
+NumericMotion numeric_motion(const Program& program, const NumericQuestion& asked) {
+  NumericQuestion q = asked;
+  q.force = true_force(program, asked);
+  check(q, program);
   const NumericStep step(program, q);
   const std::vector<int> digits = binary_digits(q.steps);
   NumericMotion m;

@@ -24,6 +24,9 @@ struct NumericQuestion {
   int digits = 50;               ///< significant ones wanted of every answer
 };
 
+/// The force of the true motion: with the integrator's own equation, see own_equation.hpp.
+Force true_force(const Program& program, const NumericQuestion& question);
+
 /// A number of which every digit shown is certain.
 struct CertainNumber {
   Ball ball;
