@@ -25,6 +25,8 @@ int run(int argc, char** argv) {
   add_export(app, code);
   add_verify(app, code);
   add_stability(app, code);
+  add_damping(app, code);
+  add_spring(app, code);
   add_list(app, code);
   add_show(app, code);
   add_new(app, code);

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/correction/spring_report.hpp"
+
+#include <cmath>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/motion/ball_flow.hpp"
+#include "analysis/motion/ball_formula.hpp"
+#include "analysis/motion/own_equation.hpp"
+#include "analysis/program/print.hpp"
+#include "analysis/program/transform.hpp"
+
+namespace shortfall {
+
+namespace {
+
+constexpr int kBits = 320;
+
+Ball pi() {
+  // Machin (1706): pi/4 = 4 atan(1/5) - atan(1/239).
+  const auto atan_inverse = [](int q) {
+    Rational sum, power = Rational(1, q);
+    for (int j = 0; j < 240; ++j, power = power / Rational(q * q))
+      sum += (j % 2 ? -power : power) / Rational(2 * j + 1);
+    return sum;
+  };
+  const Rational value = (atan_inverse(5) * 4 - atan_inverse(239)) * 4;
+  const Ball middle(value, kBits), width(Rational(1, 10).pow(330), kBits);
+  return hull(middle - width, middle + width);
+}
+
+/// The angle in (0, pi) of cosine and (positive) sine: by Newton's method on the sine and cosine of Ball.
+Ball angle(const Ball& cosine, const Ball& sine) {
+  const double start = std::atan2(sine.to_double(), cosine.to_double());
+  Ball a(Rational(static_cast<long long>(start * 1e15)) / Rational(1'000'000'000'000'000LL), kBits);
+  for (int round = 0; round < 6; ++round) {
+    // sin(angle - a), which is the angle that is missing up to its cube.
+    const Ball missing = sine * cos(a) - cosine * sin(a);
+    a = Ball((a + missing).midpoint(), kBits);
+  }
+  const Ball rest = sine * cos(a) - cosine * sin(a);  // |missing| <= 2 |sin(missing)| here
+  return hull(a + rest - abs(rest), a + rest + abs(rest));
+}
+
+EffectiveSpring effective(const Ball& trace, const Ball& determinant, const Rational& h) {
+  EffectiveSpring e{trace, determinant, false, {}, {}, {}, {}};
+  const Ball one(1, kBits), two(2, kBits), step(h, kBits);
+  const Ball discriminant = trace * trace - Ball(4, kBits) * determinant;
+  e.oscillates = discriminant.sign() == -1;
+  if (e.oscillates) {
+    const Ball size = sqrt(determinant);
+    const Ball rate = -log(size) / step;
+    const Ball cosine = trace / (two * size);
+    const Ball theta = angle(cosine, sqrt(one - cosine * cosine)) / step;
+    const Ball omega = sqrt(rate * rate + theta * theta);
+    e.growth = exp(-rate);
+    e.frequency = omega / (two * pi());
+    e.damping_ratio = rate / omega;
+    const Ball excess = determinant - one;
+    if (const auto sign = excess.sign()) e.stable = *sign <= 0;
+    return e;
+  }
+  const Ball root = sqrt(abs(discriminant));
+  const Ball larger = (abs(trace) + root) / two;
+  e.growth = exp(log(larger) / step);
+  if (const auto sign = (larger - one).sign()) e.stable = *sign < 0;
+  return e;
+}
+
+}  // namespace
+
+void set_spring(SpringQuestion& q, const Rational& frequency, const Rational& damping_ratio) {
+  const Ball omega = Ball(frequency * 2, kBits) * pi();
+  const auto rounded = [](const Ball& b) {
+    return b.is_zero() ? Rational() : Rational::parse(b.midpoint().significant(60));
+  };
+  q.k = rounded(omega * omega);
+  q.c = rounded(Ball(damping_ratio * 2, kBits) * omega);
+  q.rounded = true;
+}
+
+Program held_over_substeps(const Program& program, int substeps) {
+  Program result = substepped(program, substeps);
+  result.holds_force = true;
+  return result;
+}
+
+SpringReport spring_report(const Program& program, const SpringQuestion& q) {
+  if (q.k.sign() <= 0) throw BadInput("the stiffness of a spring is positive, not " + q.k.str());
+  if (q.c.sign() < 0) throw BadInput("the damping of a spring is 0 or more, not " + q.c.str());
+  SpringReport report;
+  report.integrator = program.name;
+  report.question = q;
+  const Program frame = q.held ? held_over_substeps(program, q.substeps) : substepped(program, q.substeps);
+  const Values values = parameter_values(frame, q.parameters);
+  Force force = force_named(q.c.is_zero() ? "spring" : "damped-spring");
+  Values fixed = q.parameters;
+  for (const auto& [name, value] : values) fixed.emplace(name, value);
+  // The integrator's own damping counts as well: it is given as a number.
+  if (program.solves && force.damper) {
+    const Force whole = with_own_equation(force_named("spring"), program, fixed);
+    if (whole.own_c)
+      throw BadInput("'" + program.name + "' has damping of its own: give it by --param, and the spring without --c or "
+                     "--damping-ratio");
+  }
+  const LinearDerivation d = linear_derivation(frame, force, fixed, 1);
+  if (!d.trace || !d.determinant)
+    throw Unable("position and velocity alone do not carry the motion of '" + program.name +
+                 "': it has no trace and determinant of its own");
+  const Wording w{d.map.letters, "n", false};
+  report.trace = formula(*d.trace, w);
+  report.determinant = formula(*d.determinant, w);
+  std::map<std::string, Ball> at{{"h", Ball(q.h, kBits)},
+                                 {d.map.letters[kStiffness], Ball(q.k, kBits)},
+                                 {d.map.letters[kDamping], Ball(q.c, kBits)}};
+  report.effective =
+      effective(ball_value(report.trace, at, kBits), ball_value(report.determinant, at, kBits), q.h);
+  const Rational true_c = d.force.own_c ? d.force.c.value_or(q.c) : q.c;
+  const BallFlow flow = ball_flow(q.k, true_c, q.h, kBits);
+  report.truth = effective(flow.cosine + flow.sine_rate, exp(Ball(-true_c * q.h, kBits)), q.h);
+  if (true_c.is_zero()) report.truth.stable = true;
+  // An undamped step with determinant 1 exactly is as stable as its physics.
+  if (d.determinant->is_one() && report.effective.oscillates) report.effective.stable = true;
+  if (q.held && q.substeps > 1) {
+    report.no_kit = "with the force held over the substeps the kit is solved for by: correct, with a file that says 'hold a'";
+    return report;
+  }
+  try {
+    Force numeric = force;
+    numeric.k = q.k;
+    if (force.damper) numeric.c = q.c;
+    const LinearKit kit = linear_kit(program, numeric, fixed, q.substeps);
+    if (!kit.exists)
+      report.no_kit = kit.obstruction;
+    else
+      report.kit = kit_numbers(kit, with_own_equation(numeric, program, fixed), fixed, q.h, 12);
+  } catch (const Unable& e) {
+    report.no_kit = e.what();
+  }
+  return report;
+}
+
+}  // namespace shortfall

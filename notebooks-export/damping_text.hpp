@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "analysis/correction/damping_report.hpp"
+#include "analysis/program/print.hpp"
+#include "notebooks-export/code_language.hpp"
+
+namespace shortfall {
+
+/// A damping report as a person reads it.
+std::string as_text(const DampingReport& report, Style style);
+
+/// Schema shortfall.damping/1.
+nlohmann::ordered_json as_json(const DampingReport& report);
+
+/// One line an integrator: what one damping number means in each. `refused`: integrators and why not.
+std::string damping_table(const std::vector<DampingReport>& reports,
+                          const std::vector<std::pair<std::string, std::string>>& refused, Style style);
+nlohmann::ordered_json damping_table_json(const std::vector<DampingReport>& reports,
+                                          const std::vector<std::pair<std::string, std::string>>& refused);
+
+/// Velocity and distance under a constant acceleration with drag after any time: the same at every frame time.
+std::string damping_code(Language language);
+
+}  // namespace shortfall
