@@ -20,8 +20,9 @@ struct DampingOptions : Question {
 };
 
 void one(const DampingOptions& o) {
-  const DampingReport r = damping_report(o.program(), o.values(), o.step(), o.gravity(), o.substeps);
-  write_output(o.json ? as_json(r).dump(2) + "\n" : as_text(r, o.ascii ? Style::language : Style::unicode), o.output);
+  const DampingReport r = damping_report(o.program(), o.values(), o.step(), o.gravity(), o.substeps());
+  write_output(o.json ? as_json(r).dump(2) + "\n" : as_text(r, o.ascii ? Style::language : Style::unicode),
+               o.output);
 }
 
 /// Every integrator of the family of engines, with the same numbers.
@@ -33,7 +34,7 @@ void all(const DampingOptions& o) {
     Values values = o.values();
     std::erase_if(values, [&](const auto& v) { return !program.parameter(v.first); });
     try {
-      reports.push_back(damping_report(program, values, o.step(), o.gravity(), o.substeps));
+      reports.push_back(damping_report(program, values, o.step(), o.gravity(), o.substeps()));
     } catch (const Error& e) {
       refused.emplace_back(program.name, e.what());
     }
@@ -60,11 +61,12 @@ void damping(const DampingOptions& o) {
 }  // namespace
 
 void add_damping(CLI::App& app, int&) {
-  CLI::App* command = new_command(
-      app, "Engines", "damping",
-      "What a damping number does: terminal speed, what is left after 1 s, at other rates, in other conventions.",
-      {"damping godot --param c=0.5 --dt 60Hz", "damping --all-engines --param c=0.5 --dt 60Hz",
-       "damping bullet --param c=0.5 --json", "damping --lang gdscript"});
+  CLI::App* command =
+      new_command(app, "Engines", "damping",
+                  "What a damping number does: terminal speed, what is left after 1 s, at other rates, in "
+                  "other conventions.",
+                  {"damping godot --param c=0.5 --dt 60Hz", "damping --all-engines --param c=0.5 --dt 60Hz",
+                   "damping bullet --param c=0.5 --json", "damping --lang gdscript"});
   auto o = std::make_shared<DampingOptions>();
   o->integrator = "godot";
   add_integrator(*command, *o);
@@ -73,9 +75,10 @@ void add_damping(CLI::App& app, int&) {
   add_gravity(*command, *o);
   command->add_flag("--all-engines", o->all_engines, "a table of all engines, with the same numbers");
   command
-      ->add_option("--lang", o->language,
-                   "exact damping of v and x, the same at every rate, as code: csharp, cpp, gdscript, python, rust, "
-                   "javascript")
+      ->add_option(
+          "--lang", o->language,
+          "exact damping of v and x, the same at every rate, as code: csharp, cpp, gdscript, python, rust, "
+          "javascript")
       ->type_name("L");
   add_json(*command, *o);
   add_ascii(*command, *o);

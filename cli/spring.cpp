@@ -25,17 +25,20 @@ struct SpringOptions : Question {
 SpringQuestion question(const SpringOptions& o) {
   SpringQuestion q;
   q.h = o.step();
-  q.substeps = o.substeps;
+  q.substeps = o.substeps();
   q.held = o.held;
   q.parameters = o.values();
-  if (o.held && o.substeps < 2) throw BadInput("--held: a force is held over substeps; give --substeps 4, for example");
+  if (o.held && o.substeps() < 2)
+    throw BadInput("--held: a force is held over substeps; give --substeps 4, for example");
   if (o.k.empty() == o.frequency.empty())
-    throw BadInput("give a spring by --frequency 2Hz (and --damping-ratio), or by --k 40 (and --c), not both");
+    throw BadInput(
+        "give a spring by --frequency 2Hz (and --damping-ratio), or by --k 40 (and --c), not both");
   if (o.k.empty()) {
     if (!o.c.empty()) throw BadInput("--c goes with --k; with --frequency it is --damping-ratio");
     // A length of time as elsewhere: 2Hz is a period of 1/2 s.
     const bool hertz = o.frequency.ends_with("Hz");
-    const Rational period = positive_quantity(hertz ? o.frequency : o.frequency + "Hz", Unit::time, "--frequency");
+    const Rational period =
+        positive_quantity(hertz ? o.frequency : o.frequency + "Hz", Unit::time, "--frequency");
     const Rational ratio = quantity(o.ratio, Unit::none, "--damping-ratio");
     if (ratio.sign() < 0) throw BadInput("--damping-ratio " + o.ratio.substr(0, 40) + ": 0 or more");
     set_spring(q, Rational(1) / period, ratio);
@@ -61,11 +64,12 @@ void spring(const SpringOptions& o) {
 }  // namespace
 
 void add_spring(CLI::App& app, int&) {
-  CLI::App* command = new_command(
-      app, "Engines", "spring",
-      "What a spring really is at a tick rate: frequency, damping ratio, stability; and what to give instead.",
-      {"spring symplectic-euler --frequency 2Hz --damping-ratio 0 --dt 60Hz", "spring rapier --k 40 --c 1 --dt 60Hz",
-       "spring symplectic-euler --frequency 2Hz --dt 60Hz --substeps 4 --held"});
+  CLI::App* command = new_command(app, "Engines", "spring",
+                                  "What a spring really is at a tick rate: frequency, damping ratio, "
+                                  "stability; and what to give instead.",
+                                  {"spring symplectic-euler --frequency 2Hz --damping-ratio 0 --dt 60Hz",
+                                   "spring rapier --k 40 --c 1 --dt 60Hz",
+                                   "spring symplectic-euler --frequency 2Hz --dt 60Hz --substeps 4 --held"});
   auto o = std::make_shared<SpringOptions>();
   add_integrator(*command, *o);
   command->add_option("--frequency", o->frequency, "of the undamped spring: 2Hz")->type_name("F");

@@ -3,15 +3,13 @@
 
 #include <nlohmann/json.hpp>
 
-#include "notebooks-export/code.hpp"
-
 namespace shortfall {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kShown = 8;   // digits of a number in a text
+constexpr int kShown = 8;  // digits of a number in a text
 constexpr int kInJson = 30;
 
 std::string digits(const Ball& b, int count = kShown) {
@@ -26,7 +24,8 @@ std::string about(const Ball& b, Style style) {
 std::string given(const DampingReport& r) {
   std::string text;
   for (const auto& [name, value] : r.parameters)
-    if (mentions(r.share, name) || (r.solves && mentions(r.solves, name))) text += ", " + name + " = " + value.str();
+    if (mentions(r.share, name) || (r.solves && mentions(r.solves, name)))
+      text += ", " + name + " = " + value.str();
   return text;
 }
 
@@ -47,11 +46,13 @@ std::string percent(const Ball& value, const Ball& reference) {
 std::string stop(const DampingReport& r) {
   if (r.here.share.sign() == 1) return "";
   if (r.here.share.is_zero())
-    return "\nStops dead\n  One frame takes the whole velocity away: the damping number times the frame time has "
+    return "\nStops dead\n  One frame takes the whole velocity away: the damping number times the frame time "
+           "has "
            "reached 1.\n";
   const bool grows = (Ball(1, r.here.share.bits()) + r.here.share).sign() == -1;
   return std::string("\nTurns round\n  One frame reverses the velocity") +
-         (grows ? " and makes it larger: the motion explodes.\n" : ": damping number times frame time is above 1.\n");
+         (grows ? " and makes it larger: the motion explodes.\n"
+                : ": damping number times frame time is above 1.\n");
 }
 
 Json number(const Ball& b) {
@@ -70,7 +71,8 @@ Json rate_json(const DampingAtRate& r) {
 }  // namespace
 
 std::string as_text(const DampingReport& r, Style style) {
-  std::string text = r.integrator + given(r) + ", dt = " + r.here.h.str() + " s, g = " + r.g.str() + " m/s^2\n";
+  std::string text =
+      r.integrator + given(r) + ", dt = " + r.here.h.str() + " s, g = " + r.g.str() + " m/s^2\n";
   if (r.solves)
     text += "It is meant for x'' = " + print(r.solves, style) + ".\n";
   else
@@ -90,17 +92,19 @@ std::string as_text(const DampingReport& r, Style style) {
   }
   text += "  terminal speed             " + about(r.here.terminal, style) + " m/s";
   if (r.true_terminal)
-    text += "; its equation has " + digits(*r.true_terminal) + " m/s: " + percent(r.here.terminal, *r.true_terminal);
+    text += "; its equation has " + digits(*r.true_terminal) +
+            " m/s: " + percent(r.here.terminal, *r.true_terminal);
   text += "\n  a body coasts, for 1 m/s   " + about(r.here.coast, style) + " m";
   if (r.true_rate && r.true_rate->sign() == 1) {
     const Ball true_coast = Ball(1, r.here.coast.bits()) / *r.true_rate;
     text += "; its equation has " + digits(true_coast) + " m: " + percent(r.here.coast, true_coast);
   }
   text += "\n" + stop(r);
-  text += "\nThe same number at other rates\n  rate      left after 1 s   terminal speed   coasts, for 1 m/s\n";
+  text +=
+      "\nThe same number at other rates\n  rate      left after 1 s   terminal speed   coasts, for 1 m/s\n";
   for (const DampingAtRate& rate : r.rates)
-    text += "  " + padded((Rational(1) / rate.h).str() + " Hz", 8) + "  " + padded(digits(rate.kept), 15) + "  " +
-            padded(digits(rate.terminal) + " m/s", 15) + "  " + digits(rate.coast) + " m\n";
+    text += "  " + padded((Rational(1) / rate.h).str() + " Hz", 8) + "  " + padded(digits(rate.kept), 15) +
+            "  " + padded(digits(rate.terminal) + " m/s", 15) + "  " + digits(rate.coast) + " m\n";
   if (r.here.share.sign() == 1) {
     text += "\nThe same decay at this frame time, in other conventions\n";
     for (int i = 0; i < kDampingConventions; ++i) {
@@ -109,8 +113,9 @@ std::string as_text(const DampingReport& r, Style style) {
               about(damping_number(c, r.here.share, r.here.h), style) + "\n";
     }
   }
-  text += "\nThe same at every rate: v and x of the exact motion, with --lang\n"
-          "  x := x + q v + (h - q)/c a, v := exp(-c h) v + q a, q = (1 - exp(-c h))/c\n";
+  text +=
+      "\nThe same at every rate: v and x of the exact motion, with --lang\n"
+      "  x := x + q v + (h - q)/c a, v := exp(-c h) v + q a, q = (1 - exp(-c h))/c\n";
   return text;
 }
 
@@ -121,7 +126,8 @@ Json as_json(const DampingReport& r) {
   for (const auto& [name, value] : r.parameters) json["parameters"][name] = value.str();
   json["g"] = r.g.str();
   json["solves"] = r.solves ? Json(print(r.solves)) : Json(nullptr);
-  json["formulas"] = {{"share", print(r.share)}, {"terminal_speed", print(r.terminal)}, {"coast", print(r.coast)}};
+  json["formulas"] = {
+      {"share", print(r.share)}, {"terminal_speed", print(r.terminal)}, {"coast", print(r.coast)}};
   json["assumptions"] = r.assumptions;
   json["assumptions_hold"] = r.assumed_hold;
   json["here"] = rate_json(r.here);
@@ -133,7 +139,8 @@ Json as_json(const DampingReport& r) {
   for (int i = 0; i < kDampingConventions; ++i) {
     const auto from = static_cast<DampingConvention>(i);
     Json one{{"name", name_of(from)}, {"share", print(share_of(from))}};
-    one["c"] = r.here.share.sign() == 1 ? number(damping_number(from, r.here.share, r.here.h)) : Json(nullptr);
+    one["c"] =
+        r.here.share.sign() == 1 ? number(damping_number(from, r.here.share, r.here.h)) : Json(nullptr);
     for (int j = 0; j < kDampingConventions; ++j) {
       const auto to = static_cast<DampingConvention>(j);
       one["to"][name_of(to)] = print(converted_damping(from, to));
@@ -147,7 +154,8 @@ std::string damping_table(const std::vector<DampingReport>& reports,
                           const std::vector<std::pair<std::string, std::string>>& refused, Style style) {
   std::string text;
   if (!reports.empty())
-    text += "dt = " + reports[0].here.h.str() + " s, g = " + reports[0].g.str() + " m/s^2; numbers are rounded\n\n";
+    text += "dt = " + reports[0].here.h.str() + " s, g = " + reports[0].g.str() +
+            " m/s^2; numbers are rounded\n\n";
   text += "  " + padded("integrator", 27) + padded("left after 1 s", 16) + padded("terminal speed", 16) +
           "terminal speed, exactly\n";
   for (const DampingReport& r : reports)
@@ -166,21 +174,46 @@ Json damping_table_json(const std::vector<DampingReport>& reports,
 }
 
 std::string damping_code(Language language) {
-  const Expr c = name("c"), h = name("h"), v = name("v"), a = name("a");
-  const Expr decay = call("exp", {negate(c) * h});
-  const Expr q = (number(1) - decay) / c;
-  const CodeFunction distance{
-      "drag_distance",
-      {"How far a body moves in dt from the velocity v under the constant acceleration a and the drag -c v.",
-       "Exact, so the same at every frame rate; c > 0 in 1/s. Move first, then change the velocity:",
-       "x += drag_distance(v, a, c, dt), v = drag_velocity(v, a, c, dt). Written by shortfall; it is yours."},
-      {"v", "a", "c", "h"},
-      q * v + (h - q) / c * a};
-  const CodeFunction velocity{"drag_velocity",
-                              {"The velocity after dt under the constant acceleration a and the drag -c v: exact."},
-                              {"v", "a", "c", "h"},
-                              v * decay + q * a};
-  return code(distance, language) + "\n" + code(velocity, language);
+  // Written out, and not by the writer of formulas: two returned values have a shape of their own everywhere.
+  const std::string mark = language == Language::python || language == Language::gdscript ? "# " : "// ";
+  const std::string about = mark +
+                            "Moves a body by dt under the constant acceleration a and the drag -c v (c > 0, "
+                            "in 1/s): exact, so the\n" +
+                            mark +
+                            "same at every frame rate. Written by shortfall. What it writes is yours.\n";
+  switch (language) {
+    case Language::csharp:
+      return about +
+             "static void DampedMove(ref double x, ref double v, double a, double c, double dt)\n{\n"
+             "    double decay = System.Math.Exp(-c * dt);\n    double q = (1 - decay) / c;\n"
+             "    x += q * v + (dt - q) / c * a;\n    v = decay * v + q * a;\n}\n";
+    case Language::cpp:
+      return "#include <cmath>\n\n" + about +
+             "inline void damped_move(double& x, double& v, double a, double c, double dt) {\n"
+             "  const double decay = std::exp(-c * dt);\n  const double q = (1 - decay) / c;\n"
+             "  x += q * v + (dt - q) / c * a;\n  v = decay * v + q * a;\n}\n";
+    case Language::gdscript:
+      return about +
+             "func damped_move(x: float, v: float, a: float, c: float, dt: float) -> Array:\n"
+             "\tvar decay := exp(-c * dt)\n\tvar q := (1 - decay) / c\n"
+             "\treturn [x + q * v + (dt - q) / c * a, decay * v + q * a]\n";
+    case Language::python:
+      return "import math\n\n\n" + about +
+             "def damped_move(x, v, a, c, dt):\n"
+             "    decay = math.exp(-c * dt)\n    q = (1 - decay) / c\n"
+             "    return x + q * v + (dt - q) / c * a, decay * v + q * a\n";
+    case Language::rust:
+      return about +
+             "pub fn damped_move(x: f64, v: f64, a: f64, c: f64, dt: f64) -> (f64, f64) {\n"
+             "    let decay = (-c * dt).exp();\n    let q = (1.0 - decay) / c;\n"
+             "    (x + q * v + (dt - q) / c * a, decay * v + q * a)\n}\n";
+    case Language::javascript:
+      return about +
+             "function dampedMove(x, v, a, c, dt) {\n"
+             "  const decay = Math.exp(-c * dt);\n  const q = (1 - decay) / c;\n"
+             "  return [x + q * v + (dt - q) / c * a, decay * v + q * a];\n}\n";
+  }
+  return {};
 }
 
 }  // namespace shortfall

@@ -23,7 +23,8 @@ std::string damping_table(const std::vector<DampingReport>& reports,
 nlohmann::ordered_json damping_table_json(const std::vector<DampingReport>& reports,
                                           const std::vector<std::pair<std::string, std::string>>& refused);
 
-/// Velocity and distance under a constant acceleration with drag after any time: the same at every frame time.
+/// Velocity and distance under a constant acceleration with drag after any time: the same at every frame
+/// time.
 std::string damping_code(Language language);
 
 }  // namespace shortfall

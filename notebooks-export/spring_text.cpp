@@ -34,7 +34,7 @@ std::string stability_of(const EffectiveSpring& e) {
 }
 
 std::string row(const char* what, const std::string& effective, const std::string& truth) {
-  return "  " + padded(what, 26) + padded(effective, 18) + truth + "\n";
+  return "  " + padded(what, 26) + padded(effective, 22) + truth + "\n";
 }
 
 std::string optional_digits(const std::optional<Ball>& b) { return b ? digits(*b) : "none: no oscillation"; }
@@ -64,22 +64,27 @@ Json spring_json(const EffectiveSpring& e) {
 std::string as_text(const SpringReport& r, const SpringReport& native, Style style) {
   const SpringQuestion& q = r.question;
   const std::string near = style == Style::language ? "~ " : "≈ ";
-  std::string text = r.integrator + ", x'' = -k x - c v, k = " + (q.rounded ? near : "") +
-                     short_number(q.k, q.rounded) + " 1/s^2, c = " + (q.rounded && !q.c.is_zero() ? near : "") +
-                     short_number(q.c, q.rounded) + " 1/s, dt = " + q.h.str() + " s" + substeps(q) + "\n";
-  text += "It is " + stability_of(r.effective) + ".\n\nOne frame, exact\n  trace T       = " + print(r.trace, style) +
+  std::string text = r.integrator + ", x'' = -k x - c v, k " + (q.rounded ? near : "= ") +
+                     short_number(q.k, q.rounded) + " 1/s^2, c " +
+                     (q.rounded && !q.c.is_zero() ? near : "= ") + short_number(q.c, q.rounded) +
+                     " 1/s, dt = " + q.h.str() + " s" + substeps(q) + "\n";
+  text += "It is " + stability_of(r.effective) +
+          ".\n\nOne frame, exact\n  trace T       = " + print(r.trace, style) +
           "\n  determinant D = " + print(r.determinant, style) + "\n";
   text += "\n" + row("rounded", "this step", "the true spring");
   text += row("frequency, Hz", optional_digits(r.effective.frequency), optional_digits(r.truth.frequency));
-  text += row("damping ratio", optional_digits(r.effective.damping_ratio), optional_digits(r.truth.damping_ratio));
+  text += row("damping ratio", optional_digits(r.effective.damping_ratio),
+              optional_digits(r.truth.damping_ratio));
   text += row("amplitude after 1 s, of 1", digits(r.effective.growth), digits(r.truth.growth));
   text += row("T", digits(r.effective.trace), digits(r.truth.trace));
   text += row("D", digits(r.effective.determinant), digits(r.truth.determinant));
-  text += "\nThe same spring as engines do it themselves, implicitly: v := (v - h k x)/(1 + h c + h^2 k), x := x + h v" +
-          std::string(q.substeps > 1 ? ", h = dt/" + std::to_string(q.substeps) : "") + "\n  " +
-          stability_of(native.effective) + "; frequency " + near + optional_digits(native.effective.frequency) +
-          " Hz, damping ratio " + near + optional_digits(native.effective.damping_ratio) + ", amplitude after 1 s " +
-          near + digits(native.effective.growth) + "\n";
+  text +=
+      "\nThe same spring as engines do it themselves, implicitly: v := (v - h k x)/(1 + h c + h^2 k), x := x "
+      "+ h v" +
+      std::string(q.substeps > 1 ? ", h = dt/" + std::to_string(q.substeps) : "") + "\n  " +
+      stability_of(native.effective) + "; frequency " + near + optional_digits(native.effective.frequency) +
+      " Hz, damping ratio " + near + optional_digits(native.effective.damping_ratio) +
+      ", amplitude after 1 s " + near + digits(native.effective.growth) + "\n";
   if (r.kit) {
     text += "\nGive it instead, and every frame is on the true motion\n";
     for (const NumericCorrection& c : r.kit->corrections) {
@@ -89,7 +94,8 @@ std::string as_text(const SpringReport& r, const SpringReport& native, Style sty
         std::string term = value.decimal.value_or(digits(value.ball, 12));
         const bool minus = term.starts_with('-');
         if (minus) term.erase(0, 1);
-        text += (first ? (minus ? "-" : "") : (minus ? " - " : " + ")) + term + (letter.empty() ? "" : " " + letter);
+        text += (first ? (minus ? "-" : "") : (minus ? " - " : " + ")) + term +
+                (letter.empty() ? "" : " " + letter);
         first = false;
       }
       text += "\n";
@@ -122,7 +128,8 @@ Json as_json(const SpringReport& r, const SpringReport& native) {
     for (const NumericCorrection& c : r.kit->corrections) {
       Json terms = Json::array();
       for (const auto& [value, letter] : c.terms)
-        terms.push_back({{"of", letter}, {"decimal", value.decimal.value_or("")}, {"radius", value.ball.radius()}});
+        terms.push_back(
+            {{"of", letter}, {"decimal", value.decimal.value_or("")}, {"radius", value.ball.radius()}});
       json["kit"].push_back({{"target", c.target}, {"terms", terms}});
     }
   }

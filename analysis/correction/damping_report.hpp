@@ -14,12 +14,12 @@ namespace shortfall {
 
 /// What one damping number does at one frame time.
 struct DampingAtRate {
-  Rational h;           ///< s
-  Ball share;           ///< of the velocity that one frame leaves
-  Ball kept;            ///< of the velocity after 1 s: share^(1/h); 0 where share is 0
+  Rational h;                ///< s
+  Ball share;                ///< of the velocity that one frame leaves
+  Ball kept;                 ///< of the velocity after 1 s: share^(1/h); 0 where share is 0
   std::optional<Ball> rate;  ///< 1/s, the c of exp(-c t) that decays so; empty where share <= 0
-  Ball terminal;        ///< m/s, the speed at which gravity and damping balance, as reported
-  Ball coast;           ///< m, how far a body coasts for each m/s of its speed
+  Ball terminal;             ///< m/s, the speed at which gravity and damping balance, as reported
+  Ball coast;                ///< m, how far a body coasts for each m/s of its speed
 };
 
 /// Damping that an integrator does itself: v <- share v + push a in every frame.
@@ -28,9 +28,9 @@ struct DampingReport {
   Values parameters;
   int substeps = 1;
   Rational g;
-  Expr share;     ///< exact, in h and the parameters
-  Expr terminal;  ///< terminal speed in g, h and the parameters
-  Expr coast;     ///< distance for each m/s
+  Expr share;                            ///< exact, in h and the parameters
+  Expr terminal;                         ///< terminal speed in g, h and the parameters
+  Expr coast;                            ///< distance for each m/s
   std::vector<std::string> assumptions;  ///< under which these formulas hold
   bool assumed_hold = true;              ///< whether they do for these numbers
   DampingAtRate here;

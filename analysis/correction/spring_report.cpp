@@ -100,7 +100,8 @@ SpringReport spring_report(const Program& program, const SpringQuestion& q) {
   if (program.solves && force.damper) {
     const Force whole = with_own_equation(force_named("spring"), program, fixed);
     if (whole.own_c)
-      throw BadInput("'" + program.name + "' has damping of its own: give it by --param, and the spring without --c or "
+      throw BadInput("'" + program.name +
+                     "' has damping of its own: give it by --param, and the spring without --c or "
                      "--damping-ratio");
   }
   const LinearDerivation d = linear_derivation(frame, force, fixed, 1);
@@ -122,7 +123,9 @@ SpringReport spring_report(const Program& program, const SpringQuestion& q) {
   // An undamped step with determinant 1 exactly is as stable as its physics.
   if (d.determinant->is_one() && report.effective.oscillates) report.effective.stable = true;
   if (q.held && q.substeps > 1) {
-    report.no_kit = "with the force held over the substeps the kit is solved for by: correct, with a file that says 'hold a'";
+    report.no_kit =
+        "with the force held over the substeps the kit is solved for by: correct, with a file that says "
+        "'hold a'";
     return report;
   }
   try {
