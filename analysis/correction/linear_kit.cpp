@@ -17,25 +17,6 @@ namespace {
 
 constexpr int kHighestDegree = 12;  // of a force polynomial: the formulas grow with it, and nobody reads them
 
-Expr derivative_name(int j, int degree) {
-  if (degree == 0) return name("a");
-  return name("f" + std::string(j, '\''));
-}
-
-/// The j-th derivative of f0 + f1 t + ..., at t or at 0.
-Expr derivative(int j, int degree, bool at_zero) {
-  Expr total = number(0);
-  for (int d = j; d <= degree; ++d) {
-    const Rational weight = factorial(d) / factorial(d - j);
-    Expr term = name("f" + std::to_string(d));
-    if (!weight.is_one()) term = number(weight) * term;
-    if (d > j && at_zero) break;
-    if (d > j) term = term * power(name("t"), d - j);
-    total = is_number(total, 0) ? term : total + term;
-  }
-  return total;
-}
-
 class Matcher {
  public:
   Matcher(const Program& program, const Force& asked, const Values& given, int substeps)
@@ -69,7 +50,9 @@ class Matcher {
     free.c.reset();
     Matching found = match(free);
     // Every substep leaves the same share of the velocity: with the root of D the parameter is rational.
-    const int parts = found.kind == Matching::Kind::algebraic && !force_.spring ? equal_parts() : 1;
+    const int parts = found.kind == Matching::Kind::algebraic && !force_.spring && own_.tuned_for(kDamping)
+                          ? equal_parts()
+                          : 1;
     if (parts > 1) {
       decay_ = Fraction::letter(kFlowDecay).pow(parts);
       sine_ = (Fraction(1) - decay_) / c_;
@@ -404,21 +387,6 @@ class Matcher {
 };
 
 }  // namespace
-
-std::optional<QuadraticForm> quadratic_form(const std::vector<std::vector<Fraction>>& m) {
-  if (m.empty() || m[0][1].is_zero()) return std::nullopt;
-  const Fraction det = m[0][0] * m[1][1] - m[0][1] * m[1][0];
-  // Q = [-m21, (m11 - m22)/2; ., m12] satisfies M^T Q M = det(M) Q; divided by m12.
-  const QuadraticForm q{-m[1][0] / m[0][1], (m[0][0] - m[1][1]) / m[0][1], det};
-  const Fraction b = q.xv / Fraction(2);
-  const Fraction xx = m[0][0].pow(2) * q.xx + Fraction(2) * m[0][0] * m[1][0] * b + m[1][0].pow(2);
-  const Fraction xv =
-      m[0][0] * m[0][1] * q.xx + (m[0][0] * m[1][1] + m[0][1] * m[1][0]) * b + m[1][0] * m[1][1];
-  const Fraction vv = m[0][1].pow(2) * q.xx + Fraction(2) * m[0][1] * m[1][1] * b + m[1][1].pow(2);
-  if (!(xx == det * q.xx) || !(xv == det * b) || !(vv == det))
-    throw Error("a quadratic form does not survive substitution");
-  return q;
-}
 
 LinearKit linear_kit(const Program& program, const Force& force, const Values& given, int substeps) {
   const LinearDerivation d = linear_derivation(program, force, given, substeps);

@@ -46,8 +46,9 @@ OwnParameters own_parameters(const Program& program, const Force& asked, const V
   result.force = with_own_equation(asked, program, given, *map.force.extras);
   if (result.force.own_c) result.decay = exact_decay(*result.force.own_c, map.force.extras->all());
   // The parameters are letters again where they are solved for.
+  if (!result.force.own_k && (!result.force.own_c || result.decay)) return result;
   for (const Parameter& p : program.parameters)
-    if (mentions(program.solves, p.name) && !result.decay) result.given.erase(p.name);
+    if (mentions(program.solves, p.name)) result.given.erase(p.name);
   for (const auto& [unknown, there] : {std::pair{kStiffness, result.force.own_k.has_value()},
                                        {kDamping, result.force.own_c.has_value() && !result.decay}}) {
     if (!there) continue;

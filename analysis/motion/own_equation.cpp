@@ -117,15 +117,16 @@ bool mentions_outside(const Expr& e, const std::string& vector) {
 void decide(const Program& program, const Fraction& own, const char* what, const char* letter,
             const OwnEquation& equation, bool& asked, std::optional<Rational>& number,
             std::optional<Fraction>& coefficient) {
+  if (own.is_zero()) return;  // then it is the user's
   if (asked && number) {
     std::string names;
     for (const std::string& p : equation.parameters) names += (names.empty() ? "--param " : ", --param ") + p;
     throw BadInput("'" + program.name + "' has " + what + " of its own: its number is given by " + names +
                    "; leave " + letter + " out of the force");
   }
-  asked = !own.is_zero();
-  if (own.is_constant() && asked) number = own.constant();
-  if (asked) coefficient = own;
+  asked = true;
+  if (own.is_constant()) number = own.constant();
+  coefficient = own;
 }
 
 }  // namespace
@@ -155,7 +156,6 @@ Force with_own_equation(const Force& asked, const Program& program, const Values
     decide(program, own.stiffness, "a spring", "k", own, force.spring, force.k, force.own_k);
   if (mentions_outside(program.solves, "v"))
     decide(program, own.damping, "damping", "c", own, force.damper, force.c, force.own_c);
-  if (!force.linear() && force.degree < 0) force.degree = 0;
   force.own_open = std::ranges::any_of(own.parameters, [&](const auto& p) { return !given.contains(p); });
   return force;
 }

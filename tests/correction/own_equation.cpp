@@ -244,7 +244,11 @@ TEST_CASE("the true motion is the integrator's own equation together with the fo
     CHECK(force("damp-last", text).own_c);
   CHECK(force("damp-last", "constant", {{"c", Rational(1, 3)}}).c == Rational(1, 3));
   CHECK(force("by-mass", "constant", {{"b", 3}, {"m", 4}}).c == Rational(3, 4));
-  CHECK_FALSE(force("damp-last", "drag", {{"c", 0}}).linear());
+  // Switched off, it leaves the damping to the force.
+  CHECK_FALSE(force("damp-last", "constant", {{"c", 0}}).linear());
+  CHECK(force("damp-last", "drag:c=1/2", {{"c", 0}}).c == Rational(1, 2));
+  CHECK_FALSE(force("damp-last", "drag:c=1/2", {{"c", 0}}).own_c);
+  CHECK(linear_kit(map("implicit-damping"), force_named("spring:k=3"), {{"c", 0}}).exists);
   CHECK(force("own-spring", "constant").spring);
   CHECK_THROWS_WITH_AS(
       force("damp-last", "drag:c=1/2"),
