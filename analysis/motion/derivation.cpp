@@ -72,8 +72,7 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
   d.exact_velocity = formula(v, degree, w);
   d.shortfall_position = formula(d.shortfall_position_motion, degree, w);
   d.shortfall_velocity = formula(d.shortfall_velocity_motion, degree, w);
-  d.check = random_check(substepped(undisturbed(program), substeps), given, {}, d.map, d.form, 3,
-                         std::min(8, d.form.valid_from + 6));
+  d.check = random_check(stepped_program, given, {}, d.map, d.form, 3, std::min(8, d.form.valid_from + 6));
   d.assumptions = assumed(d);
   d.digits = printed_digits(program);
   if (d.digits > 0) d.assumptions.push_back(about_printed_decimals(program));

@@ -177,7 +177,7 @@ LinearDerivation linear_derivation(const Program& program, const Force& asked, c
   } else if (d.form.oscillation.order() == 2) {
     Wave(d).tell();
   }
-  d.check = random_check(substepped(undisturbed(program), substeps), given,
+  d.check = random_check(stepped_program, given,
                          {given_force.spring, given_force.damper, given_force.k, given_force.c}, d.map,
                          d.form, 3, 12);
   d.assumptions = {"every step has the same length h"};
