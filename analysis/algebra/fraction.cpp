@@ -9,11 +9,6 @@
 namespace shortfall {
 namespace {
 
-/// a / g, for a known divisor.
-Polynomial without(const Polynomial& a, const Polynomial& g) {
-  return g.is_constant() ? a : exact_quotient(a, g);
-}
-
 /// Sum of coefficients[k] p^k q^(n-k) with n the highest power: the numerator over q^n after letter -> p/q.
 Polynomial homogenized(const std::vector<Polynomial>& coefficients, const Polynomial& p,
                        const Polynomial& q) {
@@ -103,9 +98,10 @@ void Fraction::reduce() {
 
 void Fraction::cancel() {
   if (!denominator_.is_constant()) {
-    const Polynomial common = gcd(numerator_, denominator_);
-    numerator_ = without(numerator_, common);
-    denominator_ = without(denominator_, common);
+    Polynomial above, below;
+    gcd(numerator_, denominator_, &above, &below);
+    numerator_ = std::move(above);
+    denominator_ = std::move(below);
   }
   make_monic();
 }
@@ -135,14 +131,22 @@ void Fraction::add(const Fraction& other, bool negated) {
     return;
   }
   // Only the common part of the denominators can cancel again.
-  const Polynomial common = gcd(denominator(), other.denominator());
-  const Polynomial mine = without(denominator(), common);
-  Polynomial numerator = numerator_ * without(other.denominator(), common);
+  Polynomial mine, theirs;
+  Polynomial common = gcd(denominator(), other.denominator(), &mine, &theirs);
+  Polynomial numerator = numerator_ * theirs;
   accumulate(numerator, other.numerator_ * mine);
-  const Polynomial cancels =
-      common.is_constant() || numerator.is_zero() ? Polynomial(1) : gcd(numerator, common);
-  numerator_ = without(numerator, cancels);
-  set_denominator(numerator_.is_zero() ? Polynomial() : mine * without(other.denominator(), cancels));
+  if (numerator.is_zero()) {
+    *this = Fraction();
+    return;
+  }
+  if (!common.is_constant()) {
+    Polynomial above, below;
+    gcd(numerator, common, &above, &below);
+    numerator = std::move(above);
+    common = std::move(below);
+  }
+  numerator_ = std::move(numerator);
+  set_denominator(mine * theirs * common);
   settle();
 }
 
@@ -166,11 +170,11 @@ Fraction& Fraction::operator*=(const Fraction& other) {
   }
   if (is_zero() || other.is_zero()) return *this = Fraction();
   // Each numerator can cancel only against the other denominator; products of monic polynomials are monic.
-  const Polynomial down = gcd(numerator_, other.denominator());
-  const Polynomial up = gcd(other.numerator_, denominator());
-  Polynomial numerator = without(numerator_, down) * without(other.numerator_, up);
-  set_denominator(without(denominator(), up) * without(other.denominator(), down));
-  numerator_ = std::move(numerator);
+  Polynomial my_above, my_below, their_above, their_below;
+  gcd(numerator_, other.denominator(), &my_above, &their_below);
+  gcd(other.numerator_, denominator(), &their_above, &my_below);
+  numerator_ = my_above * their_above;
+  set_denominator(my_below * their_below);
   settle();
   return *this;
 }

@@ -5,10 +5,29 @@
 
 #include <gmpxx.h>
 
+#include <array>
+
 #include "analysis/algebra/rational.hpp"
 #include "analysis/algebra/wide.hpp"
 
 namespace shortfall {
+
+/// A rational as GMP reads it, without a copy: its own GMP integers, or its two words lent out. It must outlive the
+/// view, unchanged.
+class GmpView {
+ public:
+  explicit GmpView(const Rational& r);
+  GmpView(const GmpView&) = delete;
+  GmpView& operator=(const GmpView&) = delete;
+  mpq_srcptr get() const { return read_; }
+  mpz_srcptr numerator() const { return mpq_numref(read_); }
+  mpz_srcptr denominator() const { return mpq_denref(read_); }
+
+ private:
+  std::array<mp_limb_t, 2> words_;
+  mpq_t lent_;
+  mpq_srcptr read_;
+};
 
 mpz_class gmp_integer(Int128 value);
 mpq_class gmp(const Rational& value);

@@ -2,6 +2,7 @@
 #include "analysis/algebra/polynomial.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "analysis/algebra/error.hpp"
@@ -220,17 +221,28 @@ Polynomial Polynomial::substitute(Letter letter, const Rational& value) const {
 }
 
 Rational Polynomial::evaluate(const std::map<Letter, Rational>& values) const {
+  // Every power that occurs is made once, from the next lower one that occurs.
+  std::array<std::map<int, Rational>, kLetters> powers;
+  for (Letter letter = 0; letter < kLetters; ++letter) {
+    std::map<int, Rational>& of_letter = powers[static_cast<std::size_t>(letter)];
+    for (const Term& term : terms_)
+      if (const int power = term.monomial.exponent(letter); power > 0) of_letter[power] = 1;
+    if (of_letter.empty()) continue;
+    const auto value = values.find(letter);
+    if (value == values.end())
+      throw Error("the letter number " + std::to_string(letter) + " of the polynomial has no value");
+    std::pair<int, Rational> below{0, 1};
+    for (auto& [power, result] : of_letter) {
+      result = below.second * value->second.pow(power - below.first);
+      below = {power, result};
+    }
+  }
   Rational sum;
   for (const Term& term : terms_) {
     Rational product = term.coefficient;
-    for (Letter letter = 0; letter < kLetters; ++letter) {
-      const int power = term.monomial.exponent(letter);
-      if (power == 0) continue;
-      const auto value = values.find(letter);
-      if (value == values.end())
-        throw Error("the letter number " + std::to_string(letter) + " of the polynomial has no value");
-      product *= power == 1 ? value->second : value->second.pow(power);
-    }
+    for (Letter letter = 0; letter < kLetters; ++letter)
+      if (const int power = term.monomial.exponent(letter); power > 0)
+        product *= powers[static_cast<std::size_t>(letter)].at(power);
     sum += product;
   }
   return sum;

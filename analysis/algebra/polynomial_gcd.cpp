@@ -32,7 +32,6 @@ class Ring {
 
 struct FlintInteger {
   FlintInteger() { fmpz_init(value); }
-  explicit FlintInteger(const mpz_class& z) : FlintInteger() { fmpz_set_mpz(value, z.get_mpz_t()); }
   FlintInteger(const FlintInteger&) = delete;
   FlintInteger& operator=(const FlintInteger&) = delete;
   ~FlintInteger() { fmpz_clear(value); }
@@ -40,6 +39,9 @@ struct FlintInteger {
     mpz_class z;
     fmpz_get_mpz(z.get_mpz_t(), value);
     return z;
+  }
+  Rational rational() const {
+    return fmpz_fits_si(value) ? Rational(fmpz_get_si(value)) : shortfall::rational(gmp());
   }
   fmpz_t value;
 };
@@ -50,17 +52,27 @@ class FlintPolynomial {
 
   /// p = content * this, with coprime integer coefficients here.
   FlintPolynomial(const Ring& ring, const Polynomial& p, Rational& content) : FlintPolynomial(ring) {
-    mpz_class above = 0, below = 1;
+    FlintInteger above, below, coefficient, cofactor;
+    fmpz_one(below.value);
     for (const Term& term : p.terms()) {
-      above = gcd(above, gmp_numerator(term.coefficient));
-      below = lcm(below, gmp_denominator(term.coefficient));
+      const GmpView q(term.coefficient);
+      fmpz_set_mpz(coefficient.value, q.numerator());
+      fmpz_gcd(above.value, above.value, coefficient.value);
+      fmpz_set_mpz(coefficient.value, q.denominator());
+      fmpz_lcm(below.value, below.value, coefficient.value);
     }
-    content = rational(above, below);
+    content = rational(above.gmp(), below.gmp());
     std::vector<FlintWord> exponents(ring.letters().size());
     for (const Term& term : p.terms()) {
       for (std::size_t i = 0; i < exponents.size(); ++i)
         exponents[i] = static_cast<FlintWord>(term.monomial.exponent(ring.letters()[i]));
-      const FlintInteger coefficient(gmp_numerator(term.coefficient / content));
+      // (p/q) / (above/below), an integer factor by factor.
+      const GmpView q(term.coefficient);
+      fmpz_set_mpz(coefficient.value, q.numerator());
+      fmpz_divexact(coefficient.value, coefficient.value, above.value);
+      fmpz_set_mpz(cofactor.value, q.denominator());
+      fmpz_divexact(cofactor.value, below.value, cofactor.value);
+      fmpz_mul(coefficient.value, coefficient.value, cofactor.value);
       fmpz_mpoly_push_term_fmpz_ui(value_, coefficient.value, exponents.data(), ring.context());
     }
   }
@@ -82,7 +94,7 @@ class FlintPolynomial {
       Monomial monomial;
       for (std::size_t i = 0; i < ring_.letters().size(); ++i)
         monomial = monomial.with(ring_.letters()[i], static_cast<int>(exponents[i]));
-      terms.push_back({monomial, rational(coefficient.gmp())});
+      terms.push_back({monomial, coefficient.rational()});
     }
     return Polynomial::from_terms(std::move(terms));
   }
@@ -151,23 +163,45 @@ bool comes_before(const std::pair<Polynomial, int>& a, const std::pair<Polynomia
 
 }  // namespace
 
-Polynomial gcd(const Polynomial& a, const Polynomial& b) {
-  if (a.is_zero()) return monic(b);
-  if (b.is_zero()) return monic(a);
-  if (a.is_constant() || b.is_constant() || !share_a_letter(a, b)) return 1;
+Polynomial gcd(const Polynomial& a, const Polynomial& b) { return gcd(a, b, nullptr, nullptr); }
+
+Polynomial gcd(const Polynomial& a, const Polynomial& b, Polynomial* a_rest, Polynomial* b_rest) {
+  const auto found = [&](Polynomial common) {
+    if (a_rest) *a_rest = common.is_constant() ? a : exact_quotient(a, common);
+    if (b_rest) *b_rest = common.is_constant() ? b : exact_quotient(b, common);
+    return common;
+  };
+  if (a.is_zero() || b.is_zero()) {
+    if (a.is_zero() && b.is_zero()) return found(Polynomial());
+    return found(monic(a.is_zero() ? b : a));
+  }
+  if (a.is_constant() || b.is_constant() || !share_a_letter(a, b)) return found(1);
   if (a.terms().size() == 1 || b.terms().size() == 1)
-    return single(Monomial::gcd(common_monomial(a), common_monomial(b)));
-  if (a == b) return monic(a);
+    return found(single(Monomial::gcd(common_monomial(a), common_monomial(b))));
+  if (a == b) return found(monic(a));
 
   const Ring ring(letters_of(a, b));
-  Rational content;
-  const FlintPolynomial x(ring, a, content);
-  const FlintPolynomial y(ring, b, content);
-  FlintPolynomial result(ring);
-  if (!fmpz_mpoly_gcd(result.value(), x.value(), y.value(), ring.context()))
+  Rational content_a, content_b;
+  const FlintPolynomial x(ring, a, content_a);
+  const FlintPolynomial y(ring, b, content_b);
+  FlintPolynomial result(ring), x_rest(ring), y_rest(ring);
+  const bool rests = a_rest || b_rest;
+  if (!(rests ? fmpz_mpoly_gcd_cofactors(result.value(), x_rest.value(), y_rest.value(), x.value(), y.value(),
+                                         ring.context())
+              : fmpz_mpoly_gcd(result.value(), x.value(), y.value(), ring.context())))
     throw Unable("FLINT found no greatest common divisor of two polynomials of " +
                  std::to_string(a.terms().size()) + " and " + std::to_string(b.terms().size()) + " terms");
-  return monic(result.polynomial());
+  Polynomial common = result.polynomial();
+  const Rational leading = common.terms().front().coefficient;
+  if (common.is_constant()) return found(1);
+  const auto rest = [&](const FlintPolynomial& quotient, const Rational& content) {
+    Polynomial p = quotient.polynomial();
+    p *= content * leading;
+    return p;
+  };
+  if (a_rest) *a_rest = rest(x_rest, content_a);
+  if (b_rest) *b_rest = rest(y_rest, content_b);
+  return monic(std::move(common));
 }
 
 bool divides(const Polynomial& b, const Polynomial& a, Polynomial* quotient) {

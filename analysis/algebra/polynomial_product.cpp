@@ -95,10 +95,15 @@ std::optional<OverOne<std::int64_t>> short_form(const Polynomial& p, int& bits) 
 OverOne<mpz_class> long_form(const Polynomial& p) {
   OverOne<mpz_class> result;
   for (const Term& term : p.terms())
-    result.denominator = lcm(result.denominator, gmp_denominator(term.coefficient));
-  for (const Term& term : p.terms())
-    result.numerators.push_back(gmp_numerator(term.coefficient) *
-                                (result.denominator / gmp_denominator(term.coefficient)));
+    mpz_lcm(result.denominator.get_mpz_t(), result.denominator.get_mpz_t(),
+            GmpView(term.coefficient).denominator());
+  result.numerators.reserve(p.terms().size());
+  for (const Term& term : p.terms()) {
+    const GmpView q(term.coefficient);
+    mpz_ptr numerator = result.numerators.emplace_back().get_mpz_t();
+    mpz_divexact(numerator, result.denominator.get_mpz_t(), q.denominator());
+    mpz_mul(numerator, numerator, q.numerator());
+  }
   return result;
 }
 

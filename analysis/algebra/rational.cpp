@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/algebra/rational.hpp"
 
+#include <array>
 #include <limits>
 #include <ostream>
 #include <utility>
@@ -21,8 +22,29 @@ struct RationalAccess {
   static bool is_small(const Rational& r) { return !r.big_; }
   static std::int64_t numerator(const Rational& r) { return r.numerator_; }
   static std::int64_t denominator(const Rational& r) { return r.denominator_; }
-  static mpq_class& big(Rational& r) { return r.big_->value; }
   static const mpq_class& big(const Rational& r) { return r.big_->value; }
+
+  /// The GMP number to write a result into; what it holds may be one of the operands.
+  static mpq_ptr room(Rational& r, Rational::BigPointer& fresh) {
+    if (r.big_) return r.big_->value.get_mpq_t();
+    fresh.reset(new Rational::Big);
+    return fresh->value.get_mpq_t();
+  }
+
+  /// Takes what has been written into its room.
+  static void settle(Rational& r, Rational::BigPointer fresh) {
+    const mpq_class& value = (r.big_ ? r.big_ : fresh)->value;
+    std::int64_t numerator, denominator;
+    if (integer_64(value.get_num_mpz_t(), numerator) && integer_64(value.get_den_mpz_t(), denominator)) {
+      r.numerator_ = numerator;
+      r.denominator_ = denominator;
+      r.big_.reset();
+      return;
+    }
+    r.numerator_ = 0;
+    r.denominator_ = 1;
+    if (fresh) r.big_ = std::move(fresh);
+  }
 
   static void assign(Rational& r, Int128 numerator, Int128 denominator) {
     if (fits_64(numerator) && fits_64(denominator)) [[likely]] {
@@ -31,42 +53,44 @@ struct RationalAccess {
       r.big_.reset();
       return;
     }
-    mpq_class value;
-    value.get_num() = gmp_integer(numerator);
-    value.get_den() = gmp_integer(denominator);
-    keep_big(r, std::move(value));
+    Rational::BigPointer fresh;
+    const mpq_ptr value = room(r, fresh);
+    set(mpq_numref(value), numerator);
+    set(mpq_denref(value), denominator);
+    settle(r, std::move(fresh));
   }
 
-  static void keep_big(Rational& r, mpq_class&& value) {
-    r.numerator_ = 0;
-    r.denominator_ = 1;
-    if (r.big_)
-      r.big_->value.swap(value);
-    else
-      r.big_.reset(new Rational::Big{std::move(value)});
+  static void assign(Rational& r, mpq_class&& value) {
+    Rational::BigPointer fresh;
+    mpq_swap(room(r, fresh), value.get_mpq_t());
+    settle(r, std::move(fresh));
   }
 
-  static bool integer_64(const mpz_class& z, std::int64_t& value) {
-    const std::size_t bits = mpz_sizeinbase(z.get_mpz_t(), 2);
-    if (bits > 64) return false;
-    std::uint64_t word = 0;
-    mpz_export(&word, nullptr, -1, sizeof word, 0, 0, z.get_mpz_t());
-    const bool negative = mpz_sgn(z.get_mpz_t()) < 0;
+  /// r = operation(r, other), by GMP.
+  static void apply(void (*operation)(mpq_ptr, mpq_srcptr, mpq_srcptr), Rational& r, const Rational& other) {
+    Rational::BigPointer fresh;
+    {
+      const GmpView left(r), right(other);
+      operation(room(r, fresh), left.get(), right.get());
+    }
+    settle(r, std::move(fresh));
+  }
+
+  static void set(mpz_ptr z, Int128 value) {
+    const UInt128 size = magnitude(value);
+    const std::array<mp_limb_t, 2> words{static_cast<mp_limb_t>(size), static_cast<mp_limb_t>(size >> 64)};
+    mpz_t lent;
+    mpz_set(z, mpz_roinit_n(lent, words.data(), value < 0 ? -2 : 2));
+  }
+
+  static bool integer_64(mpz_srcptr z, std::int64_t& value) {
+    if (mpz_size(z) > 1) return false;
+    const mp_limb_t word = mpz_getlimbn(z, 0);
+    const bool negative = mpz_sgn(z) < 0;
     constexpr std::uint64_t kLargest = std::numeric_limits<std::int64_t>::max();
     if (word > kLargest + (negative ? 1 : 0)) return false;
     value = static_cast<std::int64_t>(negative ? 0 - word : word);
     return true;
-  }
-
-  static void assign(Rational& r, mpq_class&& value) {
-    std::int64_t numerator, denominator;
-    if (integer_64(value.get_num(), numerator) && integer_64(value.get_den(), denominator)) {
-      r.numerator_ = numerator;
-      r.denominator_ = denominator;
-      r.big_.reset();
-    } else {
-      keep_big(r, std::move(value));
-    }
   }
 
   /// a/b + c/d. |a|, |c| <= 2^63 and b, d < 2^63, so that no intermediate passes 127 bits.
@@ -108,14 +132,26 @@ struct RationalAccess {
 
 using Access = RationalAccess;
 
+GmpView::GmpView(const Rational& r) {
+  if (!Access::is_small(r)) {
+    read_ = Access::big(r).get_mpq_t();
+    return;
+  }
+  const std::int64_t above = Access::numerator(r);
+  words_[0] = magnitude(above);
+  words_[1] = magnitude(Access::denominator(r));
+  mpz_roinit_n(mpq_numref(lent_), &words_[0], above < 0 ? -1 : 1);
+  mpz_roinit_n(mpq_denref(lent_), &words_[1], 1);
+  read_ = lent_;
+}
+
 mpz_class gmp_integer(Int128 value) {
-  const UInt128 size = magnitude(value);
-  const std::uint64_t words[2] = {static_cast<std::uint64_t>(size), static_cast<std::uint64_t>(size >> 64)};
   mpz_class z;
-  mpz_import(z.get_mpz_t(), 2, -1, sizeof words[0], 0, 0, words);
-  if (value < 0) mpz_neg(z.get_mpz_t(), z.get_mpz_t());
+  Access::set(z.get_mpz_t(), value);
   return z;
 }
+
+static_assert(GMP_NUMB_BITS == 64, "a 64-bit word is one limb of GMP");
 
 mpz_class gmp_numerator(const Rational& value) {
   if (Access::is_small(value)) return gmp_integer(Access::numerator(value));
@@ -238,7 +274,7 @@ Rational& Rational::operator+=(const Rational& other) {
     Access::sum(*this, numerator_, denominator_, other.numerator_, other.denominator_);
     return *this;
   }
-  Access::assign(*this, mpq_class(gmp(*this) + gmp(other)));
+  Access::apply(mpq_add, *this, other);
   return *this;
 }
 
@@ -247,7 +283,7 @@ Rational& Rational::operator-=(const Rational& other) {
     Access::sum(*this, numerator_, denominator_, -static_cast<Int128>(other.numerator_), other.denominator_);
     return *this;
   }
-  Access::assign(*this, mpq_class(gmp(*this) - gmp(other)));
+  Access::apply(mpq_sub, *this, other);
   return *this;
 }
 
@@ -263,7 +299,7 @@ Rational& Rational::operator*=(const Rational& other) {
                     magnitude(denominator_), magnitude(other.numerator_), magnitude(other.denominator_));
     return *this;
   }
-  Access::assign(*this, mpq_class(gmp(*this) * gmp(other)));
+  Access::apply(mpq_mul, *this, other);
   return *this;
 }
 
@@ -274,7 +310,7 @@ Rational& Rational::operator/=(const Rational& other) {
                     magnitude(denominator_), magnitude(other.denominator_), magnitude(other.numerator_));
     return *this;
   }
-  Access::assign(*this, mpq_class(gmp(*this) / gmp(other)));
+  Access::apply(mpq_div, *this, other);
   return *this;
 }
 
@@ -288,7 +324,7 @@ std::strong_ordering Rational::operator<=>(const Rational& other) const {
                           : std::strong_ordering::equal;
   }
   if (sign() != other.sign()) return sign() <=> other.sign();
-  return cmp(gmp(*this), gmp(other)) <=> 0;
+  return mpq_cmp(GmpView(*this).get(), GmpView(other).get()) <=> 0;
 }
 
 Rational Rational::floor() const {

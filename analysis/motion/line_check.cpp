@@ -10,6 +10,19 @@ namespace shortfall {
 
 using Op = Expression::Op;
 
+namespace {
+
+/// Whether all that varies in the body of a sum over k is k itself, or what is counted by it.
+bool only_k_enters(const Expr& e) {
+  if (e->op == Op::sum) return false;
+  if (e->op == Op::name)
+    return e->name != "n" && e->name != "t" && e->name.find("(t)") == std::string::npos &&
+           e->name.find("_n") == std::string::npos && e->name.find("_out") == std::string::npos;
+  return std::ranges::all_of(e->operands, only_k_enters);
+}
+
+}  // namespace
+
 LineCheck::LineCheck(const StepMap& map, const std::vector<Quantity>& quantities, int degree, int points)
     : map_(map), quantities_(quantities), degree_(degree), states_(stepped(map, points)) {}
 
@@ -18,10 +31,11 @@ LinearForm LineCheck::quantity(int q, int n) const {
 }
 
 bool LineCheck::agree(const Expr& left, const Expr& right, const std::string& index, int from, int to) const {
+  Memory memory;  // for these two expressions only: it knows them by their addresses
   for (int n = from; n <= to; ++n) {
     const Indices indices{{index, n}};
-    const Value a = evaluated(left, indices);
-    const Value b = evaluated(right, indices);
+    const Value a = evaluated(left, indices, memory);
+    const Value b = evaluated(right, indices, memory);
     // A formula that came out as the number 0 is the zero vector.
     const auto zero = [](const Value& v) {
       return std::holds_alternative<Fraction>(v) && std::get<Fraction>(v).is_zero();
@@ -67,19 +81,72 @@ LineCheck::Value LineCheck::of_name(const std::string& name, const Indices& indi
   return Fraction::letter(static_cast<Letter>(letter - map_.letters.begin()));
 }
 
-LineCheck::Value LineCheck::evaluated(const Expr& e, const Indices& indices) const {
-  const auto scalar = [&](const Expr& o) { return std::get<Fraction>(evaluated(o, indices)); };
+bool LineCheck::is_letter(const std::string& name) const {
+  for (int c = 0; c < 2 + degree_ + 1; ++c)
+    if (name == column_name(c, degree_)) return true;
+  return std::ranges::find(map_.letters, name) != map_.letters.end();
+}
+
+/// Whether an index enters, by name or through t, x(t), x_k, x_n, ...
+bool LineCheck::varies(const Expr& e, Memory& memory) const {
+  const auto known = memory.varies.find(e.get());
+  if (known != memory.varies.end()) return known->second;
+  bool result = e->op == Op::sum;
+  if (e->op == Op::name)
+    result = e->name == "n" || e->name == "k" || e->name == "t" || !is_letter(e->name) ||
+             e->name.find("_n") != std::string::npos || e->name.find("_k") != std::string::npos;
+  for (const Expr& operand : e->operands) result = varies(operand, memory) || result;
+  memory.varies[e.get()] = result;
+  return result;
+}
+
+LineCheck::Value LineCheck::evaluated(const Expr& e, const Indices& indices, Memory& memory) const {
+  if (e->operands.empty() || varies(e, memory)) return worked_out(e, indices, memory);
+  const auto known = memory.values.find(e.get());
+  if (known != memory.values.end()) return known->second;
+  return memory.values[e.get()] = worked_out(e, indices, memory);
+}
+
+LineCheck::Value LineCheck::summed(const Expr& e, const Indices& indices, Memory& memory) const {
+  const auto whole = [&](const Expr& o) {
+    std::int64_t value = 0;
+    std::get<Fraction>(evaluated(o, indices, memory)).constant().fits_int64(value);
+    return value;
+  };
+  const std::int64_t from = whole(e->operands[0]);
+  const std::int64_t to = whole(e->operands[1]);
+  const Expr& body = e->operands[2];
+  Memory::PartialSum fresh{from, Fraction()};
+  Memory::PartialSum* sum = &fresh;
+  if (e->name == "k" && only_k_enters(body)) sum = &memory.sums.try_emplace({e.get(), from}, fresh).first->second;
+  if (sum->next > to + 1) *sum = {from, Fraction()};  // it stands further already
+  Indices inside = indices;
+  for (; sum->next <= to; ++sum->next) {
+    inside[e->name] = static_cast<int>(sum->next);
+    const Value term = evaluated(body, inside, memory);
+    if (const auto* vector = std::get_if<LinearForm>(&term)) {
+      if (!std::holds_alternative<LinearForm>(sum->value)) sum->value = LinearForm();
+      std::get<LinearForm>(sum->value) += *vector;
+    } else {
+      std::get<Fraction>(sum->value) += std::get<Fraction>(term);
+    }
+  }
+  return sum->value;
+}
+
+LineCheck::Value LineCheck::worked_out(const Expr& e, const Indices& indices, Memory& memory) const {
+  const auto scalar = [&](const Expr& o) { return std::get<Fraction>(evaluated(o, indices, memory)); };
   switch (e->op) {
     case Op::number:
       return Fraction(e->value);
     case Op::name:
       return of_name(e->name, indices);
     case Op::negate:
-      return std::visit([](const auto& v) -> Value { return -v; }, evaluated(e->operands[0], indices));
+      return std::visit([](const auto& v) -> Value { return -v; }, evaluated(e->operands[0], indices, memory));
     case Op::add:
     case Op::subtract: {
-      const Value a = evaluated(e->operands[0], indices);
-      const Value b = evaluated(e->operands[1], indices);
+      const Value a = evaluated(e->operands[0], indices, memory);
+      const Value b = evaluated(e->operands[1], indices, memory);
       const bool plus = e->op == Op::add;
       if (std::holds_alternative<Fraction>(a)) {
         const Fraction x = std::get<Fraction>(a);
@@ -91,14 +158,14 @@ LineCheck::Value LineCheck::evaluated(const Expr& e, const Indices& indices) con
       return plus ? std::get<LinearForm>(a) + right : std::get<LinearForm>(a) - right;
     }
     case Op::multiply: {
-      const Value a = evaluated(e->operands[0], indices);
-      const Value b = evaluated(e->operands[1], indices);
+      const Value a = evaluated(e->operands[0], indices, memory);
+      const Value b = evaluated(e->operands[1], indices, memory);
       if (std::holds_alternative<LinearForm>(a)) return std::get<Fraction>(b) * std::get<LinearForm>(a);
       if (std::holds_alternative<LinearForm>(b)) return std::get<Fraction>(a) * std::get<LinearForm>(b);
       return std::get<Fraction>(a) * std::get<Fraction>(b);
     }
     case Op::divide: {
-      const Value a = evaluated(e->operands[0], indices);
+      const Value a = evaluated(e->operands[0], indices, memory);
       const Fraction b = scalar(e->operands[1]);
       if (std::holds_alternative<LinearForm>(a)) return std::get<LinearForm>(a) / b;
       return std::get<Fraction>(a) / b;
@@ -108,28 +175,8 @@ LineCheck::Value LineCheck::evaluated(const Expr& e, const Indices& indices) con
       scalar(e->operands[1]).constant().fits_int64(exponent);
       return scalar(e->operands[0]).pow(static_cast<int>(exponent));
     }
-    case Op::sum: {
-      std::int64_t from = 0;
-      std::int64_t to = 0;
-      scalar(e->operands[0]).constant().fits_int64(from);
-      scalar(e->operands[1]).constant().fits_int64(to);
-      Indices inside = indices;
-      LinearForm vectors;
-      Fraction scalars;
-      bool is_vector = false;
-      for (std::int64_t k = from; k <= to; ++k) {
-        inside[e->name] = static_cast<int>(k);
-        const Value term = evaluated(e->operands[2], inside);
-        if (std::holds_alternative<LinearForm>(term)) {
-          vectors += std::get<LinearForm>(term);
-          is_vector = true;
-        } else {
-          scalars += std::get<Fraction>(term);
-        }
-      }
-      if (is_vector) return vectors;
-      return scalars;
-    }
+    case Op::sum:
+      return summed(e, indices, memory);
     case Op::call: {
       const Fraction a = scalar(e->operands[0]);
       return map_.force.extras->function(*function_named(e->name), a,

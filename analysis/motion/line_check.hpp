@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,7 +15,7 @@ namespace shortfall {
 
 /// Evaluates the lines of a derivation at a whole number n, literally: sums are added up term by term, and
 /// x_k is the vector that k steps in letters gave. So a line is tested by other means than those that
-/// produced it.
+/// produced it. From one n to the next a sum goes on where it stood, and what no index enters is kept.
 class LineCheck {
  public:
   /// param  points  how many steps to take in advance
@@ -29,7 +31,21 @@ class LineCheck {
  private:
   using Value = std::variant<Fraction, LinearForm>;
   using Indices = std::map<std::string, int>;
-  Value evaluated(const Expr& e, const Indices& indices) const;
+  /// What need not be worked out again for the next value of the index.
+  struct Memory {
+    struct PartialSum {
+      std::int64_t next = 0;
+      Value value = Fraction();
+    };
+    std::map<const Expression*, bool> varies;
+    std::map<const Expression*, Value> values;
+    std::map<std::pair<const Expression*, std::int64_t>, PartialSum> sums;
+  };
+  Value evaluated(const Expr& e, const Indices& indices, Memory& memory) const;
+  Value worked_out(const Expr& e, const Indices& indices, Memory& memory) const;
+  Value summed(const Expr& e, const Indices& indices, Memory& memory) const;
+  bool varies(const Expr& e, Memory& memory) const;
+  bool is_letter(const std::string& name) const;
   Value of_name(const std::string& name, const Indices& indices) const;
   LinearForm exact(int n, bool position) const;
 
