@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Rational beside the rational numbers of GMP (mpq_t), Boost (mpq_rational, expression templates off) and FLINT
-// (fmpq): the same operations on the same numbers, each library in the way that is natural to it.
+// Rational beside the rational numbers of GMP (mpq_t), Boost (mpq_rational, expression templates off) and
+// FLINT (fmpq): the same operations on the same numbers, each library in the way that is natural to it.
 #include <gmpxx.h>
 
 #include <flint/flint.h>
@@ -55,10 +55,14 @@ struct Flint {
 void sum_into(Gmp& r, const Gmp& a, const Gmp& b) { mpq_add(r.q, a.q, b.q); }
 void product_into(Gmp& r, const Gmp& a, const Gmp& b) { mpq_mul(r.q, a.q, b.q); }
 void quotient_into(Gmp& r, const Gmp& a, const Gmp& b) { mpq_div(r.q, a.q, b.q); }
+void add_to(Gmp& sum, const Gmp& b) { mpq_add(sum.q, sum.q, b.q); }
+void multiply_to(Gmp& product, const Gmp& b) { mpq_mul(product.q, product.q, b.q); }
 bool less(const Gmp& a, const Gmp& b) { return mpq_cmp(a.q, b.q) < 0; }
 void sum_into(Flint& r, const Flint& a, const Flint& b) { fmpq_add(r.q, a.q, b.q); }
 void product_into(Flint& r, const Flint& a, const Flint& b) { fmpq_mul(r.q, a.q, b.q); }
 void quotient_into(Flint& r, const Flint& a, const Flint& b) { fmpq_div(r.q, a.q, b.q); }
+void add_to(Flint& sum, const Flint& b) { fmpq_add(sum.q, sum.q, b.q); }
+void multiply_to(Flint& product, const Flint& b) { fmpq_mul(product.q, product.q, b.q); }
 bool less(const Flint& a, const Flint& b) { return fmpq_cmp(a.q, b.q) < 0; }
 template <class T>
 void sum_into(T& r, const T& a, const T& b) {
@@ -67,6 +71,14 @@ void sum_into(T& r, const T& a, const T& b) {
 template <class T>
 void product_into(T& r, const T& a, const T& b) {
   r = a * b;
+}
+template <class T>
+void add_to(T& sum, const T& b) {
+  sum += b;
+}
+template <class T>
+void multiply_to(T& product, const T& b) {
+  product *= b;
 }
 template <class T>
 void quotient_into(T& r, const T& a, const T& b) {
@@ -94,7 +106,8 @@ std::vector<std::string> texts(int bits, bool integers, unsigned seed) {
   for (int i = 0; i < 256; ++i) {
     mpz_class above = random.get_z_bits(static_cast<mp_bitcnt_t>(bits)) + 1;
     if (random.get_z_bits(1) == 1) above = -above;
-    mpq_class q(above, integers ? mpz_class(1) : mpz_class(random.get_z_bits(static_cast<mp_bitcnt_t>(bits)) + 1));
+    mpq_class q(above,
+                integers ? mpz_class(1) : mpz_class(random.get_z_bits(static_cast<mp_bitcnt_t>(bits)) + 1));
     q.canonicalize();
     result.push_back(q.get_str());
   }
@@ -108,8 +121,8 @@ std::vector<T> numbers(const std::vector<std::string>& from) {
   return result;
 }
 
-/// A piece of work for every kind of number; `fold` gives a text of its result, by which the libraries are held
-/// against one another.
+/// A piece of work for every kind of number; `fold` gives a text of its result, by which the libraries are
+/// held against one another.
 template <class T>
 struct Work {
   std::vector<T> a, b;
@@ -120,10 +133,12 @@ struct Work {
     for (std::size_t i = 0; i < a.size(); ++i) sum_into(result, a[i], b[i]), shortfall::bench::keep(result);
   }
   void products() const {
-    for (std::size_t i = 0; i < a.size(); ++i) product_into(result, a[i], b[i]), shortfall::bench::keep(result);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      product_into(result, a[i], b[i]), shortfall::bench::keep(result);
   }
   void quotients() const {
-    for (std::size_t i = 0; i < a.size(); ++i) quotient_into(result, a[i], b[i]), shortfall::bench::keep(result);
+    for (std::size_t i = 0; i < a.size(); ++i)
+      quotient_into(result, a[i], b[i]), shortfall::bench::keep(result);
   }
   void comparisons() const {
     long count = 0;
@@ -138,15 +153,15 @@ struct Work {
   /// 1 + 1/2 + ... + 1/256, adding in place.
   void harmonic() const {
     T sum = number<T>("0");
-    for (const T& term : b) sum_into(sum, sum, term);
+    for (const T& term : b) add_to(sum, term);
     result = sum;
   }
   /// Horner's rule in place at the first of b, with 24 coefficients.
   void horner() const {
     T sum = number<T>("0");
     for (std::size_t i = 0; i < 24; ++i) {
-      product_into(sum, sum, b[0]);
-      sum_into(sum, sum, a[i]);
+      multiply_to(sum, b[0]);
+      add_to(sum, a[i]);
     }
     result = sum;
   }
@@ -161,18 +176,20 @@ int differences = 0;
 
 /// One row: all four libraries at the same work; `operations` of it are counted.
 template <class Do>
-void row(const char* name, const std::vector<std::string>& a, const std::vector<std::string>& b, int operations,
-         Do work) {
+void row(const char* name, const std::vector<std::string>& a, const std::vector<std::string>& b,
+         int operations, Do work) {
   using shortfall::bench::here;
   const Work<Rational> ours{numbers<Rational>(a), numbers<Rational>(b), {}, {}};
   const Work<Gmp> gmp{numbers<Gmp>(a), numbers<Gmp>(b), {}, {}};
   const Work<BoostRational> boost{numbers<BoostRational>(a), numbers<BoostRational>(b), {}, {}};
   const Work<Flint> flint{numbers<Flint>(a), numbers<Flint>(b), {}, {}};
-  const auto least = shortfall::bench::least_times({here("", [&] { work(ours); }), here("", [&] { work(gmp); }),
-                                                    here("", [&] { work(boost); }), here("", [&] { work(flint); })},
-                                                   15, 0.002);
+  const auto least =
+      shortfall::bench::least_times({here("", [&] { work(ours); }), here("", [&] { work(gmp); }),
+                                     here("", [&] { work(boost); }), here("", [&] { work(flint); })},
+                                    15, 0.002);
   const std::string result = text(ours.result);
-  const bool agree = result == text(gmp.result) && result == text(boost.result) && result == text(flint.result);
+  const bool agree =
+      result == text(gmp.result) && result == text(boost.result) && result == text(flint.result);
   if (!agree) ++differences;
   std::printf("%-34s %8.1f ns %8.2f %8.2f %8.2f%s\n", name, least[0] * 1e9 / operations, least[0] / least[1],
               least[0] / least[2], least[0] / least[3], agree ? "" : "  DIFFERENT RESULTS");
@@ -192,9 +209,12 @@ void rows(const std::string& kind, int bits, bool integers) {
 }  // namespace
 
 int main() {
-  std::printf("One operation of Rational, least of 15 interleaved rounds, and its time divided by that of the others\n"
-              "(below 1: Rational is faster)\n"
-              "%-34s %11s %8s %8s %8s\n", "", "Rational", "/mpq_t", "/Boost", "/fmpq");
+  std::printf(
+      "One operation of Rational, least of 15 interleaved rounds, and its time divided by that of the "
+      "others\n"
+      "(below 1: Rational is faster)\n"
+      "%-34s %11s %8s %8s %8s\n",
+      "", "Rational", "/mpq_t", "/Boost", "/fmpq");
   rows("integers of 10 bits", 10, true);
   rows("p/q, 5 bits each", 5, false);
   rows("p/q, 10 bits each", 10, false);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The targets of speed beside what is measured, and the sums of powers beside the same sums in SymPy, Maxima and PARI.
+// The targets of speed beside what is measured, and the sums of powers beside the same sums in SymPy, Maxima
+// and PARI.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -70,7 +71,8 @@ std::vector<std::string> our_sums() {
 
 /// The same without brackets and commas, as each system writes its lists.
 std::string plain(std::string line) {
-  std::replace_if(line.begin(), line.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');
+  std::replace_if(
+      line.begin(), line.end(), [](char c) { return c == '[' || c == ']' || c == ','; }, ' ');
   std::string result;
   for (const char c : line)
     if (c != ' ' || (!result.empty() && result.back() != ' ')) result += c;
@@ -92,7 +94,8 @@ int different(bench::Peer& peer, int way, const std::vector<std::string>& ours) 
 }
 
 int peers_table() {
-  std::printf("\nThe same sums elsewhere, in the running program each (its start is not counted)\n");
+  std::printf(
+      "\nThe same sums elsewhere, in the running program each (its start is not counted), taking turns\n");
   const std::vector<std::string> ours = our_sums();
   const auto peers = bench::peers("sums");
   std::vector<Contender> contenders{here("shortfall", sums)};
@@ -113,7 +116,7 @@ int peers_table() {
     }
   }
   if (contenders.size() == 1) return 0;
-  const std::vector<double> least = bench::least_times(contenders, kRounds, 0.1);
+  const std::vector<double> least = bench::least_times(contenders, kRounds, 0.02);
   std::printf("  %-50s %9s   %s\n", "", "time", "shortfall / it");
   for (std::size_t i = 0; i < contenders.size(); ++i) {
     std::printf("  %-50s %9s   %-10.2g  %s\n", contenders[i].name.c_str(), time_text(least[i]).c_str(),
@@ -125,14 +128,14 @@ int peers_table() {
 }  // namespace
 
 int main() try {
-  std::printf("Least of %d rounds, in process\n", kRounds);
-  const auto small = bench::least_times({here("", sums), here("", n_step_map)}, kRounds, 0.05);
+  std::printf("Processor time, least of %d rounds, in process\n", kRounds);
+  const auto small = bench::least_times({here("", sums), here("", n_step_map)}, 4 * kRounds, 0.005);
   target_row("all sums of powers of degree 1 to 50", small[0], 0.2e-3);
   target_row("n-step map of symplectic Euler under poly:20", small[1], 0.7e-3);
   const int asked = static_cast<int>(catalogue().size()) * (kHighestForce + 1);
   const int derived = catalogue_derived(false);
-  const auto whole = bench::least_times({here("", [] { catalogue_derived(false); }), here("", [] { catalogue_derived(true); })},
-                                        kRounds, 0);
+  const auto whole = bench::least_times(
+      {here("", [] { catalogue_derived(false); }), here("", [] { catalogue_derived(true); })}, kRounds, 0);
   const std::string cases = std::to_string(derived) + " of " + std::to_string(asked);
   target_row("derivation and proofs, whole catalogue, poly:0 to 6 (" + cases + ")", whole[0], 2);
   target_row("  the same with correction kits, as text: all that derive does", whole[1], 2);

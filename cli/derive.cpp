@@ -11,6 +11,7 @@
 #include "cli/derive_numbers.hpp"
 #include "cli/force.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "notebooks-export/linear_text.hpp"
 #include "notebooks-export/result_json.hpp"
 #include "notebooks-export/result_text.hpp"
@@ -44,10 +45,16 @@ int derive(const Question& q) {
   const Force force = with_own_equation(asked, program, q.values());
   if (force.linear()) return derive_linear(q, program, asked);
   const int degree = force.degree;
-  const Derivation d = derivation(program, degree, q.values(), q.substeps(), degree <= kHighestWithDerivation);
-  CorrectionKit kit;
   const bool with_kit = degree <= kHighestWithKit;
-  if (with_kit) kit = correction_kit(d);
+  Derivation d;
+  CorrectionKit kit;
+  {
+    ProgressLine line;
+    d = derivation(program, degree, q.values(), q.substeps(), degree <= kHighestWithDerivation,
+                   line.progress());
+    if (line.progress() && with_kit) line.progress()("solving for the corrections", 0, 1);
+    if (with_kit) kit = correction_kit(d);
+  }
   if (q.json)
     write_output(as_json(d, with_kit ? &kit : nullptr).dump(2) + "\n", q.output);
   else if (q.latex)

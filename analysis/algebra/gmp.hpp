@@ -12,8 +12,8 @@
 
 namespace shortfall {
 
-/// A rational as GMP reads it, without a copy: its own GMP integers, or its two words lent out. It must outlive the
-/// view, unchanged.
+/// A rational as GMP reads it, without a copy: its own GMP integers, or its two words lent out. It must
+/// outlive the view, unchanged.
 class GmpView {
  public:
   explicit GmpView(const Rational& r);

@@ -151,7 +151,8 @@ class Polynomial {
 
 /// The greatest common divisor, monic (leading coefficient 1); zero only for two zeros.  By FLINT.
 Polynomial gcd(const Polynomial& a, const Polynomial& b);
-/// The same, with a and b divided by it (where wanted; not a or b themselves), which comes nearly for nothing.
+/// The same, with a and b divided by it (where wanted; not a or b themselves), which comes nearly for
+/// nothing.
 Polynomial gcd(const Polynomial& a, const Polynomial& b, Polynomial* a_rest, Polynomial* b_rest);
 /// a / b.  throws  Undefined  when b is zero or does not divide a.
 Polynomial exact_quotient(const Polynomial& a, const Polynomial& b);

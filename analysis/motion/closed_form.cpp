@@ -161,7 +161,7 @@ bool is_zero(const Motion& motion) {
   return std::ranges::all_of(motion, [](const Sequence& s) { return s.is_zero(); });
 }
 
-ClosedForm closed_form(const StepMap& map) {
+ClosedForm closed_form(const StepMap& map, const Progress& progress) {
   const LinearForce& force = map.force;
   const int columns = 2 + force.degree + 1;
   const Matrix matrix = map.matrix();
@@ -184,6 +184,7 @@ ClosedForm closed_form(const StepMap& map) {
   form.oscillation.position.assign(columns, {});
   form.oscillation.velocity.assign(columns, {});
   for (int column = 0; column < columns; ++column) {
+    if (progress) progress("summing up", column, columns);
     const int source = column < 2 ? column : force.force_column(column - 2);
     Column first;
     Column drive;
@@ -236,7 +237,7 @@ Motion exact_velocity(int degree) {
   return motion;
 }
 
-MotionProof prove(const StepMap& map, const ClosedForm& form) {
+MotionProof prove(const StepMap& map, const ClosedForm& form, const Progress& progress) {
   MotionProof proof;
   const int states = map.force.states;
   // The stepped values obey the recurrence of the matrix (order: its size) driven by polynomials in n, which
@@ -249,8 +250,9 @@ MotionProof prove(const StepMap& map, const ClosedForm& form) {
   for (const LinearForm* row : {&map.position, &map.velocity})
     for (int c = 0; c < row->columns(); ++c) degree = std::max(degree, (*row)[c].numerator().degree(kCount));
   proof.recurrence = states + degree + 1;
-  const auto values = stepped(map, form.valid_from + proof.recurrence - 1);
+  const auto values = stepped(map, form.valid_from + proof.recurrence - 1, progress);
   for (int n = form.valid_from; n < static_cast<int>(values.size()); ++n) {
+    if (progress) progress("comparing the closed form with the steps", n, static_cast<int>(values.size()));
     ++proof.points;
     for (const auto& [row, motion] :
          {std::pair{&map.position, &form.position}, {&map.velocity, &form.velocity}}) {

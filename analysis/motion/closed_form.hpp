@@ -49,7 +49,7 @@ struct ClosedForm {
 /// others by geometric ones.
 ///
 /// throws  Unable  when the coefficients of the step depend on t
-ClosedForm closed_form(const StepMap& map);
+ClosedForm closed_form(const StepMap& map, const Progress& progress = {});
 
 /// The true motion x(t) and x'(t) at t = n h.
 Motion exact_position(int degree);
@@ -65,7 +65,7 @@ struct MotionProof {
 /// Compares the closed form with stepping in letters on as many consecutive n as the order of the linear
 /// recurrence that both sides satisfy (for polynomials of degree d in n: d + 1 points), which proves it for
 /// every n.
-MotionProof prove(const StepMap& map, const ClosedForm& form);
+MotionProof prove(const StepMap& map, const ClosedForm& form, const Progress& progress = {});
 
 /// The coefficient of one column's letter in the position (or velocity) after n steps, oscillation included.
 Fraction motion_at(const ClosedForm& form, bool position, int n, std::size_t column);

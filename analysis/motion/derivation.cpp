@@ -37,7 +37,8 @@ bool Derivation::proved() const {
          std::ranges::all_of(steps, [](const DerivationStep& s) { return s.proved; });
 }
 
-Derivation derivation(const Program& program, int degree, const Values& given, int substeps, bool tell) {
+Derivation derivation(const Program& program, int degree, const Values& given, int substeps, bool tell,
+                      const Progress& progress) {
   if (degree < 0 || degree > kHighestDegree)
     throw BadInput("the degree of a force polynomial is a whole number from 0 to " +
                    std::to_string(kHighestDegree));
@@ -55,12 +56,12 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
   d.substeps = substeps;
   d.map = step_map(tape, degree);
   const NumberField field(d.map.generators);
-  d.form = closed_form(d.map);
+  d.form = closed_form(d.map, progress);
   if (!d.form.oscillation.is_zero())
     throw Unable(
         "an eigenvalue of the step is no rational function of its letters: without a force the body would "
         "oscillate");
-  d.proof = prove(d.map, d.form);
+  d.proof = prove(d.map, d.form, progress);
   const Motion x = exact_position(degree);
   const Motion v = exact_velocity(degree);
   d.shortfall_position_motion = x - d.form.position;
@@ -72,11 +73,12 @@ Derivation derivation(const Program& program, int degree, const Values& given, i
   d.exact_velocity = formula(v, degree, w);
   d.shortfall_position = formula(d.shortfall_position_motion, degree, w);
   d.shortfall_velocity = formula(d.shortfall_velocity_motion, degree, w);
+  if (progress) progress("checking with random numbers", 0, 1);
   d.check = random_check(stepped_program, given, {}, d.map, d.form, 3, std::min(8, d.form.valid_from + 6));
   d.assumptions = assumed(d);
   d.digits = printed_digits(program);
   if (d.digits > 0) d.assumptions.push_back(about_printed_decimals(program));
-  if (tell) d.steps = derivation_steps(d, !tape.finish.empty());
+  if (tell) d.steps = derivation_steps(d, !tape.finish.empty(), progress);
   return d;
 }
 

@@ -51,9 +51,10 @@ struct Derivation {
 ///
 /// param   degree  of the force polynomial, 0 for a constant one
 /// param   tell    whether the steps of the derivation are wanted, or only the result
+/// param   progress  is told how far it is
 /// throws  Unable  with the reason when there is no closed form of this kind; BadInput for a degree above
 /// 1000
 Derivation derivation(const Program& program, int degree, const Values& given = {}, int substeps = 1,
-                      bool tell = true);
+                      bool tell = true, const Progress& progress = {});
 
 }  // namespace shortfall

@@ -12,12 +12,12 @@ namespace {
 
 class Writer {
  public:
-  Writer(const Derivation& d, bool has_finish)
+  Writer(const Derivation& d, bool has_finish, const Progress& progress)
       : d_(d),
         has_finish_(has_finish),
         quantities_(story(d.map)),
         points_(d.proof.recurrence + 2),
-        check_(d.map, quantities_, d.degree, points_ + d.map.force.states + 2),
+        check_(d.map, quantities_, d.degree, points_ + d.map.force.states + 2, progress),
         in_n_{d.map.letters, "n", false},
         in_k_{d.map.letters, "k", false},
         in_t_{d.map.letters, "n", true} {}
@@ -251,8 +251,9 @@ class Writer {
 
 }  // namespace
 
-std::vector<DerivationStep> derivation_steps(const Derivation& derivation, bool has_finish) {
-  return Writer(derivation, has_finish).written();
+std::vector<DerivationStep> derivation_steps(const Derivation& derivation, bool has_finish,
+                                             const Progress& progress) {
+  return Writer(derivation, has_finish, progress).written();
 }
 
 }  // namespace shortfall

@@ -23,8 +23,13 @@ bool only_k_enters(const Expr& e) {
 
 }  // namespace
 
-LineCheck::LineCheck(const StepMap& map, const std::vector<Quantity>& quantities, int degree, int points)
-    : map_(map), quantities_(quantities), degree_(degree), states_(stepped(map, points)) {}
+LineCheck::LineCheck(const StepMap& map, const std::vector<Quantity>& quantities, int degree, int points,
+                     Progress progress)
+    : map_(map),
+      quantities_(quantities),
+      degree_(degree),
+      progress_(std::move(progress)),
+      states_(stepped(map, points, progress_)) {}
 
 LinearForm LineCheck::quantity(int q, int n) const {
   return reported(quantities_[q].definition, states_.at(n), n, map_.force.states);
@@ -33,6 +38,7 @@ LinearForm LineCheck::quantity(int q, int n) const {
 bool LineCheck::agree(const Expr& left, const Expr& right, const std::string& index, int from, int to) const {
   Memory memory;  // for these two expressions only: it knows them by their addresses
   for (int n = from; n <= to; ++n) {
+    if (progress_) progress_("proving a line", n - from, to - from + 1);
     const Indices indices{{index, n}};
     const Value a = evaluated(left, indices, memory);
     const Value b = evaluated(right, indices, memory);
@@ -118,7 +124,8 @@ LineCheck::Value LineCheck::summed(const Expr& e, const Indices& indices, Memory
   const Expr& body = e->operands[2];
   Memory::PartialSum fresh{from, Fraction()};
   Memory::PartialSum* sum = &fresh;
-  if (e->name == "k" && only_k_enters(body)) sum = &memory.sums.try_emplace({e.get(), from}, fresh).first->second;
+  if (e->name == "k" && only_k_enters(body))
+    sum = &memory.sums.try_emplace({e.get(), from}, fresh).first->second;
   if (sum->next > to + 1) *sum = {from, Fraction()};  // it stands further already
   Indices inside = indices;
   for (; sum->next <= to; ++sum->next) {
@@ -142,7 +149,8 @@ LineCheck::Value LineCheck::worked_out(const Expr& e, const Indices& indices, Me
     case Op::name:
       return of_name(e->name, indices);
     case Op::negate:
-      return std::visit([](const auto& v) -> Value { return -v; }, evaluated(e->operands[0], indices, memory));
+      return std::visit([](const auto& v) -> Value { return -v; },
+                        evaluated(e->operands[0], indices, memory));
     case Op::add:
     case Op::subtract: {
       const Value a = evaluated(e->operands[0], indices, memory);

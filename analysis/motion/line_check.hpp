@@ -19,7 +19,8 @@ namespace shortfall {
 class LineCheck {
  public:
   /// param  points  how many steps to take in advance
-  LineCheck(const StepMap& map, const std::vector<Quantity>& quantities, int degree, int points);
+  LineCheck(const StepMap& map, const std::vector<Quantity>& quantities, int degree, int points,
+            Progress progress = {});
 
   /// Whether both sides agree, for index = from .. to; `index` is the name that is given this value, "n" or
   /// "k".
@@ -52,6 +53,7 @@ class LineCheck {
   const StepMap& map_;
   const std::vector<Quantity>& quantities_;
   int degree_;
+  Progress progress_;
   std::vector<std::vector<LinearForm>> states_;
 };
 

@@ -55,9 +55,10 @@ LinearForm reported(const LinearForm& row, const std::vector<LinearForm>& state,
   return result;
 }
 
-std::vector<std::vector<LinearForm>> stepped(const StepMap& map, int steps) {
+std::vector<std::vector<LinearForm>> stepped(const StepMap& map, int steps, const Progress& progress) {
   std::vector<std::vector<LinearForm>> states{map.start};
   for (int n = 0; n < steps; ++n) {
+    if (progress) progress("stepping in letters", n, steps);
     std::vector<LinearForm> next;
     for (const LinearForm& row : map.step) next.push_back(reported(row, states.back(), n, map.force.states));
     states.push_back(std::move(next));

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/problems/linear_force.hpp"
+#include "analysis/program/progress.hpp"
 #include "analysis/program/tape.hpp"
 
 namespace shortfall {
@@ -38,7 +39,7 @@ StepMap step_map(const Tape& tape, int degree, Fraction stiffness = {}, Fraction
 /// The carried vectors after 0..steps steps, by stepping in letters: what a closed form is held against.
 ///
 /// shape   steps + 1 entries, each one row per carried vector; columns as in `start`
-std::vector<std::vector<LinearForm>> stepped(const StepMap& map, int steps);
+std::vector<std::vector<LinearForm>> stepped(const StepMap& map, int steps, const Progress& progress = {});
 
 /// What `finish` reports of a stepped state.
 LinearForm reported(const LinearForm& row, const std::vector<LinearForm>& state, int n, int states);

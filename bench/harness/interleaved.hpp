@@ -1,16 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <ctime>
 #include <functional>
 #include <string>
 #include <vector>
 
 namespace shortfall::bench {
 
+/// The processor time that a process has used, by the clock that clock_getcpuclockid gives for it. Unlike the
+/// time on the wall it does not count the turns of other programs on a busy machine.
+///
+/// units   seconds
+double processor_seconds(clockid_t clock);
+
 /// One way of doing a piece of work.
 struct Contender {
   std::string name;
-  std::function<double(long times)> seconds;  ///< what it takes to do the work so many times in a row
+  /// Processor time of doing the work so many times in a row.
+  std::function<double(long times)> seconds;
 };
 
 /// A contender that runs in this process: `work` does the work once.

@@ -8,8 +8,10 @@
 #include <unistd.h>
 
 #include <array>
-#include <chrono>
+#include <ctime>
 #include <stdexcept>
+
+#include "bench/harness/interleaved.hpp"
 
 namespace shortfall::bench {
 
@@ -106,10 +108,13 @@ std::optional<std::vector<std::string>> Peer::ask(std::string_view question) {
 }
 
 double Peer::seconds(int way, long times) {
-  const auto begin = std::chrono::steady_clock::now();
+  clockid_t clock{};
+  if (!runs() || clock_getcpuclockid(process_, &clock) != 0)
+    throw std::runtime_error(name_ + " is not there");
+  const double begin = processor_seconds(clock);
   if (!ask("go(" + std::to_string(way) + ", " + std::to_string(times) + ")"))
     throw std::runtime_error(name_ + " gave no answer: it " + reason_);
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return processor_seconds(clock) - begin;
 }
 
 std::vector<std::unique_ptr<Peer>> peers(const std::string& script) {

@@ -9,8 +9,8 @@
 
 namespace shortfall::bench {
 
-/// Another program that was started once, has loaded a script of bench/peers, and answers questions line by line,
-/// each answer closed by a line "=done". So what is timed excludes its start.
+/// Another program that was started once, has loaded a script of bench/peers, and answers questions line by
+/// line, each answer closed by a line "=done". So what is timed excludes its start.
 class Peer {
  public:
   /// param   command    the program and its arguments
@@ -27,11 +27,13 @@ class Peer {
   /// What it calls itself, with its version.
   const std::string& name() const { return name_; }
 
-  /// The lines of the answer; nothing when it has died or has been silent for two minutes, and then it is gone.
+  /// The lines of the answer; nothing when it has died or has been silent for two minutes, and then it is
+  /// gone.
   std::optional<std::vector<std::string>> ask(std::string_view question);
-  /// How long the answer to "go(way, times)" takes, seen from here.
+  /// The processor time that the peer needs to answer "go(way, times)".
   ///
-  /// units   seconds;  throws  std::runtime_error  when there is no answer
+  /// units   seconds
+  /// throws  std::runtime_error  when there is no answer
   double seconds(int way, long times);
 
  private:

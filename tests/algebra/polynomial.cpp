@@ -127,6 +127,10 @@ TEST_CASE("to evaluate is to substitute numbers: it respects sums, products and 
     RC_ASSERT((a * b).evaluate(at) == a.evaluate(at) * b.evaluate(at));
     RC_ASSERT(a.pow(3).evaluate(at) == a.evaluate(at).pow(3));
   }));
+  // Few terms of high powers: nothing is made for the powers between.
+  const Polynomial sparse = Polynomial::letter(0, 60000) - 3 * Polynomial::letter(0, 40000) + 5;
+  CHECK(sparse.evaluate({{0, 2}}) == Rational(2).pow(60000) - 3 * Rational(2).pow(40000) + 5);
+  CHECK(sparse.evaluate({{0, -1}}) == 3);
 }
 
 TEST_CASE("a polynomial may be put in place of a letter") {

@@ -31,6 +31,10 @@ TEST_CASE("a common factor is found, whatever it is multiplied with") {
     const Polynomial other = exact_quotient(g * b, found);
     RC_ASSERT(gcd(quotient, other) == 1);
     RC_ASSERT(gcd(g * b, g * a) == found);
+    Polynomial a_rest, b_rest;
+    RC_ASSERT(gcd(g * a, g * b, &a_rest, &b_rest) == found);
+    RC_ASSERT(a_rest == quotient);
+    RC_ASSERT(b_rest == other);
   }));
 }
 
@@ -47,6 +51,27 @@ TEST_CASE("the greatest common divisor is monic and known in simple cases") {
   CHECK(gcd((x * y - 1) * Rational(2, 3), (x * y - 1) * Rational(1, 7)) == x * y - 1);
   CHECK(gcd(2 * x - 4, 2 * x - 4) == x - 2);
   CHECK(gcd(x.pow(12) - 1, x.pow(18) - 1) == x.pow(6) - 1);
+}
+
+TEST_CASE("with the greatest common divisor come the quotients, in the simple cases too") {
+  const auto rests = [](const Polynomial& a, const Polynomial& b) {
+    Polynomial a_rest, b_rest;
+    const Polynomial common = gcd(a, b, &a_rest, &b_rest);
+    return common * a_rest == a && common * b_rest == b;
+  };
+  CHECK(rests(Polynomial(), 3 * x - 6));
+  CHECK(rests(3 * x - 6, Polynomial()));
+  CHECK(rests(Polynomial(6), Polynomial(4)));
+  CHECK(rests(2 * x * Rational(3, 5), Polynomial(4)));
+  CHECK(rests(x + 1, y + 1));
+  CHECK(rests(2 * x.pow(3) * y, x.pow(2) + x * z));
+  CHECK(rests((x * y - 1) * Rational(2, 3), (x * y - 1) * Rational(-1, 7)));
+  CHECK(rests(2 * x - 4, 2 * x - 4));
+  CHECK(rests((x + 1) * (2 * y - 3) * Rational(5, 7), (x + 1) * (y * z + 1) * Rational(-2, 9)));
+  CHECK(rests((x + 1) * Rational(5, 7), (y + x) * Rational(-2, 9)));
+  Polynomial only;
+  CHECK(gcd(x * x - 1, (x + 1) * y, nullptr, &only) == x + 1);
+  CHECK(only == y);
 }
 
 TEST_CASE("a product is divisible by its factors and the quotient is the other one") {

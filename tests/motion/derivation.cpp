@@ -3,6 +3,8 @@
 
 #include <doctest/doctest.h>
 
+#include <algorithm>
+
 #include "analysis/algebra/error.hpp"
 #include "analysis/motion/formula.hpp"
 #include "analysis/motion/line_check.hpp"
@@ -85,6 +87,43 @@ TEST_CASE("a wrong line is not proved") {
   // Agreement at the beginning alone is not enough: s(1) = u h + a h^2 holds for n = 1 only.
   CHECK(check.agree(x_n, formula("x0 + v0*t + a*t^2"), "n", 0, 1));
   CHECK_FALSE(check.agree(x_n, formula("x0 + v0*t + a*t^2"), "n", 0, 2));
+}
+
+TEST_CASE("sums in a line are added up as they stand, also where the upper end's letter is inside") {
+  const StepMap map = step_map(lower(find_integrator("symplectic-euler")), 0);
+  const std::vector<Quantity> quantities = story(map);
+  const LineCheck check(map, quantities, 0, 12);
+  const Expr n = name("n"), k = name("k"), h = name("h"), a = name("a");
+  const auto over_k = [&](const Expr& body) { return sum("k", number(0), n - number(1), body); };
+  const Expr gauss = n * (n - number(1)) / number(2);
+  CHECK(check.agree(over_k(h * k * a), h * gauss * a, "n", 0, 9));
+  CHECK_FALSE(check.agree(over_k(h * k * a), h * n * a, "n", 0, 9));
+  CHECK(check.agree(over_k(h * n * k * a), h * n * gauss * a, "n", 0, 9));
+  CHECK_FALSE(check.agree(over_k(h * n * k * a), h * gauss * a, "n", 0, 9));
+  CHECK(check.agree(over_k(name("t") * a), n * n * h * a, "n", 0, 9));
+  // Right up to n = 5 only.
+  const Expr late =
+      (n - number(1)) * (n - number(2)) * (n - number(3)) * (n - number(4)) * (n - number(5)) * n;
+  CHECK(check.agree(over_k(h * k * a), h * (gauss + late) * a, "n", 0, 5));
+  CHECK_FALSE(check.agree(over_k(h * k * a), h * (gauss + late) * a, "n", 0, 6));
+  // A sum may also begin anew, and one sum may stand twice.
+  CHECK(check.agree(over_k(h * a) + over_k(h * a), number(2) * h * n * a, "n", 3, 9));
+}
+
+TEST_CASE("a derivation tells how far it is, and the telling changes nothing") {
+  const Program program = find_integrator("heun");
+  std::vector<std::string> heard;
+  bool in_order = true;
+  const Progress progress = [&](const std::string& doing, int done, int of) {
+    in_order = in_order && 0 <= done && done < of;
+    if (heard.empty() || heard.back() != doing) heard.push_back(doing);
+  };
+  const Derivation d = derivation(program, 3, {}, 1, true, progress);
+  CHECK(in_order);
+  CHECK(std::ranges::count(heard, "proving a line") > 0);
+  CHECK(std::ranges::count(heard, "stepping in letters") > 0);
+  CHECK(std::ranges::count(heard, "summing up") > 0);
+  CHECK(print(d.position) == position("heun", 3));
 }
 
 TEST_CASE("a wrong closed form is not proved") {
