@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/program/print.hpp"
 #include "analysis/program/transform.hpp"
 
 namespace shortfall {
@@ -104,6 +105,10 @@ bool any_solve(const std::vector<Statement>& body) {
       body, [](const Statement& s) { return s.kind == Statement::Kind::solve || any_solve(s.body); });
 }
 
+bool mentions_call(const Expr& e) {
+  return e->op == Expression::Op::call || std::ranges::any_of(e->operands, mentions_call);
+}
+
 std::string joined(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
@@ -118,6 +123,12 @@ PythonStep::PythonStep(const Program& program, const Values& given, int substeps
     : program_(with_numbers(undisturbed(substepped(program, substeps)), kRootDigits)),
       values_(parameter_values(program, given)),
       substeps_(substeps) {
+  for (const auto* block : {&program_.start, &program_.step, &program_.finish})
+    each_expression(*block, [&](const Expr& e) {
+      if (mentions_call(e))
+        throw Unable("a notebook computes with fractions, and the step of " + program.name +
+                     " calls a function: " + print(e));
+    });
   if (!program.roots.empty())
     throw Unable("a notebook computes with fractions, and '" + program.roots.front().name + "' of " +
                  program.name + " is irrational");
