@@ -25,7 +25,7 @@ struct Case {
 };
 
 Case random_case() {
-  const Program program = *rc::gen::elementOf(testing::undamped_catalogue());
+  const Program program = *rc::gen::elementOf(testing::short_catalogue());
   const int substeps = *rc::gen::weightedElement<int>({{4, 1}, {1, 2}, {1, 4}});
   const Rational dt(*rc::gen::inRange(1, 30), *rc::gen::inRange(20, 500));
   const Rational g(*rc::gen::inRange(1, 3000), *rc::gen::inRange(1, 200));

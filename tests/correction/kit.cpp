@@ -13,6 +13,7 @@
 #include "analysis/program/print.hpp"
 #include "analysis/program/run.hpp"
 #include "analysis/program/transform.hpp"
+#include "tests/undamped_catalogue.hpp"
 
 using namespace shortfall;
 using Op = Expression::Op;
@@ -179,7 +180,7 @@ TEST_CASE("for any polynomial force, kick-drift needs the force and launch serie
 
 TEST_CASE("every option that exists repairs the stepped integrator itself") {
   int tried = 0;
-  for (const Program& p : catalogue())
+  for (const Program& p : testing::short_catalogue())
     for (const auto& [degree, substeps] : {std::pair{0, 1}, {1, 1}, {2, 3}, {4, 1}}) {
       CAPTURE(p.name);
       CAPTURE(degree);

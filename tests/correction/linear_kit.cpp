@@ -112,7 +112,7 @@ TEST_CASE("where the equations are quadratic, the square roots solve them") {
 TEST_CASE("roots of equations tend to the true values as the leading term says") {
   const Precision precision(kDigits);
   int compared = 0;
-  for (const Program& p : testing::undamped_catalogue())
+  for (const Program& p : testing::short_catalogue())
     for (const char* force : {"spring", "damped-spring", "drag"}) {
       CAPTURE(p.name);
       CAPTURE(force);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "tests/correction/linear_motions.hpp"
+#include "tests/undamped_catalogue.hpp"
 
 using namespace shortfall;
 using namespace shortfall::linear;
@@ -28,7 +29,7 @@ const std::vector<Case> kCases = {
 /// The catalogue without engines, whose damping has the name of the force's.
 std::vector<Program> methods() {
   std::vector<Program> all;
-  for (const Program& p : catalogue())
+  for (const Program& p : testing::short_catalogue())
     if (family(p) != "engines") all.push_back(p);
   return all;
 }
