@@ -129,6 +129,9 @@ PythonStep::PythonStep(const Program& program, const Values& given, int substeps
         throw Unable("a notebook computes with fractions, and the step of " + program.name +
                      " calls a function: " + print(e));
     });
+  if (program.approximate())
+    throw Unable("a notebook asserts exact equalities, and coefficients of " + program.name +
+                 " are known to some digits only");
   if (!program.roots.empty())
     throw Unable("a notebook computes with fractions, and '" + program.roots.front().name + "' of " +
                  program.name + " is irrational");

@@ -139,7 +139,7 @@ TEST_CASE("every notebook's cells run and their assertions hold") {
   for (const Program& program : catalogue()) {
     // The formulas of engines divide by their damping, which notebooks would set to its default, 0.
     if (family(program) == "engines") continue;
-    if (!step_map(lower(program), -1).generators.empty()) {  // no fractions
+    if (program.approximate() || !step_map(lower(program), -1).generators.empty()) {  // no exact fractions
       CHECK_THROWS_AS(exported(program, 0), Unable);
       continue;
     }
