@@ -124,7 +124,9 @@ TEST_CASE("the engines of the catalogue have kits, and those make every frame ex
     for (const Case& test : kCases) {
       CAPTURE(engine);
       CAPTURE(test.force);
-      const Program p = find_integrator(engine);
+      Program p = find_integrator(engine);
+      for (Parameter& own : p.parameters)  // what damps of its own is held against its own equation elsewhere
+        if (own.name == "c") own.fallback = number(0);
       Motions m(p, test, Rational(1, 60));
       const LinearKit kit = linear_kit(p, m.force, parameter_values(p));
       CAPTURE(kit.obstruction);
