@@ -38,6 +38,7 @@ Json corrections(const LinearKit& kit) {
 void add_kit(Json& json, const LinearKit& kit) {
   json["corrections"] = corrections(kit);
   json["correction_definitions"] = definitions(kit.definitions);
+  if (!kit.step_definitions.empty()) json["step_definitions"] = definitions(kit.step_definitions);
   json["equations"] = kit.implicit ? implicit_json(kit) : Json(nullptr);
   json["notes"] = kit.notes;
   json["obstruction"] = kit.exists ? Json(nullptr) : Json(kit.obstruction);

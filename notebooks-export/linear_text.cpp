@@ -128,6 +128,8 @@ std::string as_text(const LinearKit& kit, Style style) {
       break;
     }
   if (kit.implicit) text += implicit_text(kit, style);
+  if (!kit.step_definitions.empty()) text += "  and, of the step that is given these\n";
+  append_definitions(text, kit.step_definitions, style);
   return text + "  " + wrapped("proof: " + kit.proof, "    ");
 }
 
@@ -211,8 +213,9 @@ std::string as_latex(const LinearDerivation& d, const LinearKit& kit) {
     add(print(name(definition.name), Style::latex), definition.value);
   for (const LinearCorrection& c : kit.corrections)
     add("\\tilde{" + print(name(c.target), Style::latex) + "}", c.value);
-  for (const Definition& definition : kit.definitions)
-    add(print(name(definition.name), Style::latex), definition.value);
+  for (const auto* list : {&kit.definitions, &kit.step_definitions})
+    for (const Definition& definition : *list)
+      add(print(name(definition.name), Style::latex), definition.value);
   return text + "\\end{align*}\n";
 }
 

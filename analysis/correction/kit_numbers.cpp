@@ -35,6 +35,7 @@ class Numbers {
       const std::vector<Ball> proved = enclosed(values, root);
       for (std::size_t i = 0; i < proved.size(); ++i) values[unknown(i)] = proved[i];
     }
+    for (const Definition& d : kit_.step_definitions) values[d.name] = ball_value(d.value, values, bits_);
     return values;
   }
 

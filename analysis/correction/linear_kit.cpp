@@ -5,6 +5,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit_letters.hpp"
+#include "analysis/correction/lettered_step.hpp"
 #include "analysis/correction/linear_launch.hpp"
 #include "analysis/correction/matching.hpp"
 #include "analysis/correction/open_step.hpp"
@@ -15,6 +16,7 @@ namespace shortfall {
 
 namespace {
 
+constexpr std::size_t kLongestKit = 2000;  // terms
 constexpr int kHighestDegree = 12;  // of a force polynomial: the formulas grow with it, and nobody reads them
 
 class Matcher {
@@ -115,6 +117,10 @@ class Matcher {
     if (free.spring || own_.tuned_for(kStiffness)) unknowns.push_back(kStiffness);
     if (free.damper || own_.tuned_for(kDamping)) unknowns.push_back(kDamping);
     if (unknowns.empty()) return nothing_to_tune();
+    // k alone, and a determinant that depends on it: see why_not_stiffness_alone. No common factor has to be
+    // looked for.
+    if (unknowns == std::vector<Letter>{kStiffness} && !step_->pair.empty() && step_->pair[0].contains(kStiffness))
+      return {Matching::Kind::impossible, unknowns, {}, {}, {}, false};
     return matching(conditions(), unknowns, point_, names_);
   }
 
@@ -202,10 +208,13 @@ class Matcher {
       return;
     }
     const bool substitute = found.kind == Matching::Kind::rational;
-    const LaunchProblem problem{*step_,
+    // With roots of equations the entries stay letters, or nobody could read the formulas.
+    if (!substitute && force_.spring) lettered_ = lettered(*step_, names_);
+    const OpenStep& step = lettered_ ? lettered_->step : *step_;
+    const LaunchProblem problem{step,
                                 [&](const Fraction& f) { return open ? f : found.put_into(f); },
-                                open ? -step_->pair[1] : trace_,
-                                open ? step_->pair[0] : decay_,
+                                open ? -step.pair[1] : trace_,
+                                open ? step.pair[0] : decay_,
                                 k_,
                                 c_,
                                 cosine_,
@@ -221,10 +230,19 @@ class Matcher {
       // equations: what vanishes by them is then seen to be 0.
       if (force_.spring && !force_.damper) {
         f = f.substitute(kFlowTrace, Fraction(2) * cosine_);
-        if (!substitute) f = f.substitute(kFlowCosine, -step_->pair[1] / Fraction(2));
+        if (!substitute)
+          f = f.substitute(kFlowCosine, -(lettered_ ? lettered_->step : *step_).pair[1] / Fraction(2));
       }
       return f;
     };
+    if (const std::size_t terms = size_of(solved); terms > kLongestKit) {
+      kit_.impossible = false;
+      kit_.obstruction =
+          "the parameters exist for small steps, as roots of equations, and so does the launch, but its "
+          "formulas have " +
+          std::to_string(terms) + " terms and are not written out: ask for a force of lower degree";
+      return;
+    }
     kit_.exists = true;
     for (std::size_t i = 0; i < found.unknowns.size(); ++i) {
       const bool k = found.unknowns[i] == kStiffness;
@@ -265,6 +283,23 @@ class Matcher {
   }
 
   Wording wording() const { return {names_, "n", true}; }
+  Wording launch_wording() const { return {lettered_ ? lettered_->names : names_, "n", true}; }
+
+  static std::size_t size_of(const LinearLaunch& solved) {
+    std::size_t terms = 0;
+    const auto count = [&](const Fraction& f) {
+      terms += f.numerator().terms().size() + f.denominator().terms().size();
+    };
+    const auto count_form = [&](const ForceForm& form) {
+      count(form.x);
+      count(form.v);
+      for (const Fraction& f : form.f) count(f);
+    };
+    for (const Fraction& f : solved.force) count(f);
+    for (const auto& [target, form] : solved.start) count_form(form);
+    if (solved.read_out) count_form(*solved.read_out);
+    return terms;
+  }
 
   /// x * first + v * second + the force and its derivatives, the latter as f, f', ... or spelled out.
   Expr combination(const ForceForm& form, const char* x, const char* v, bool spelled, bool at_zero) const {
@@ -273,7 +308,7 @@ class Matcher {
       const Fraction w = put_(weight);
       if (w.is_zero()) return;
       const bool sum = what->op == Expression::Op::add;
-      total = joined(total, sum ? formula(w, wording()) * what : formula(w, what, wording()));
+      total = joined(total, sum ? formula(w, launch_wording()) * what : formula(w, what, launch_wording()));
     };
     if (x) add(form.x, name(x));
     if (v) add(form.v, name(v));
@@ -370,6 +405,14 @@ class Matcher {
           p = p.substitute(kFlowTrace, Polynomial(2) * Polynomial::letter(kFlowCosine));
       for (const Definition& d : kit_.implicit->radicals) kit_.definitions.push_back(d);
     }
+    if (lettered_) {
+      for (const LetteredStep::Meaning& m : lettered_->meanings)
+        if (used(m.name)) kit_.step_definitions.push_back({m.name, formula(m.value, wording()), m.note});
+    }
+  }
+
+  bool used(const std::string& letter) const {
+    return std::ranges::any_of(kit_.corrections, [&](const auto& c) { return mentions(c.value, letter); });
   }
 
   const Program& program_;
@@ -380,6 +423,7 @@ class Matcher {
   int parts_ = 1;  ///< D is this power of the letter kFlowDecay
   LinearKit kit_;
   std::optional<OpenStep> step_;
+  std::optional<LetteredStep> lettered_;
   std::vector<std::string> names_;
   Fraction k_, c_, cosine_, sine_, decay_, trace_;
   BranchPoint point_;

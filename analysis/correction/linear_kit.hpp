@@ -42,6 +42,7 @@ struct LinearKit {
   std::vector<LinearCorrection> corrections;
   std::vector<FlowCase> other_flows;    ///< C and S, as functions of t = h, where k and c are of another kind
   std::vector<Definition> definitions;  ///< C, S, T, D; k_new, c_new where square roots give them
+  std::vector<Definition> step_definitions;  ///< m11, ...: entries of the step with k_new, c_new
   std::optional<ImplicitParameters>
       implicit;                             ///< how k_new, c_new are found where they are roots of equations
   std::vector<ExtraLetters::Extra> extras;  ///< roots, exp and pow of the integrator, which are letters too

@@ -5,6 +5,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/problems/letters.hpp"
+#include "analysis/stability/resultant.hpp"
 
 namespace shortfall {
 
@@ -67,7 +68,10 @@ Matching one_unknown(const std::vector<Fraction>& conditions, Letter unknown, co
     common = gcd(common, condition.numerator());
   }
   if (common.degree(unknown) < 1) {
-    if (in_number_field(conditions)) {
+    // There a greatest common divisor over the rationals may miss a factor; the resultant does not.
+    if (in_number_field(conditions) &&
+        (conditions.size() != 2 ||
+         Fraction(resultant(conditions[0].numerator(), conditions[1].numerator(), unknown)).is_zero())) {
       m.kind = Matching::Kind::unknown;
       m.obstruction = "both conditions on " + names[unknown] +
                       " contain algebraic numbers, and common factors are looked for over the rationals only";

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/algebra/error.hpp"
 #include "analysis/motion/agreement.hpp"
 #include "analysis/motion/own_equation.hpp"
 #include "analysis/motion/spectrum.hpp"
@@ -12,6 +13,15 @@
 namespace shortfall {
 
 namespace {
+
+constexpr std::size_t kLongestStep = 400;  // terms; a few seconds
+
+std::size_t size_of(const StepMap& map) {
+  std::size_t terms = 0;
+  for (const LinearForm& row : map.step)
+    for (int c = 0; c < row.columns(); ++c) terms += row[c].numerator().terms().size();
+  return terms;
+}
 
 /// Puts the pieces of a two-term oscillation together.
 class Wave {
@@ -161,6 +171,10 @@ LinearDerivation linear_derivation(const Program& program, const Force& asked, c
   const Force given_force = without_own_equation(d.force);
   const Force& force = d.force;
   d.map = step_map(tape, force.degree, given_force.stiffness(), given_force.damping());
+  if (const std::size_t terms = size_of(d.map); force.degree > 0 && terms > kLongestStep)
+    throw Unable("one step under this force is a formula of " + std::to_string(terms) +
+                 " terms, and the proof for every n multiplies them: ask for a lower degree, or for numbers "
+                 "with --steps");
   const NumberField field(d.map.generators);
   // Once more, in the letters of this step.
   d.force = with_own_equation(asked, program, given, *d.map.force.extras);

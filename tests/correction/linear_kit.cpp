@@ -119,6 +119,7 @@ TEST_CASE("roots of equations tend to the true values as the leading term says")
       if (family(p) == "engines") continue;
       const LinearKit kit = linear_kit(p, force_named(force), parameter_values(p));
       if (!kit.exists || !kit.implicit) continue;
+      if (!kit.extras.empty()) continue;  // no series with roots in the coefficients
       REQUIRE(kit.implicit->leading.size() == kit.implicit->unknowns.size());
       Motions m(p, {force, 3, force == std::string("spring") ? Rational(0) : Rational(2, 5), {1}},
                 Rational(1, 100'000));

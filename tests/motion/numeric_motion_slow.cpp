@@ -36,12 +36,20 @@ TEST_CASE("numbers after n steps are those of stepping in rationals, for the who
         } catch (const Unable&) {
           continue;  // no linear step, and it says why
         }
-        const auto [x, v] = stepped_exactly(p, q, std::stoi(steps));
-        for (const auto& [number, truth] : {std::pair{&m.position, &x}, {&m.velocity, &v}}) {
-          CHECK(number->ball.contains(*truth));
-          CHECK(shown(*number) == Rational::parse(truth->significant(30)));
+        if (!p.approximations.empty() && q.steps > Rational(30))
+          continue;  // long decimals make long rationals
+        std::pair<Rational, Rational> truth;
+        try {
+          truth = stepped_exactly(p, q, std::stoi(steps));
+        } catch (const Unable&) {
+          continue;  // roots have no exact steps; linear_kit_irrational.cpp steps some of them at 100 digits
+        }
+        const auto& [x, v] = truth;
+        for (const auto& [number, stepped] : {std::pair{&m.position, &x}, {&m.velocity, &v}}) {
+          CHECK(number->ball.contains(*stepped));
+          CHECK(shown(*number) == Rational::parse(stepped->significant(30)));
           ++(number->exact ? exact : certain);
-          if (number->exact) CHECK(*number->exact == *truth);
+          if (number->exact) CHECK(*number->exact == *stepped);
         }
       }
   CHECK(exact > 500);
