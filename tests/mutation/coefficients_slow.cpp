@@ -89,8 +89,8 @@ std::vector<LinearForm> first_steps(const Program& program) {
   return result;
 }
 
-bool claims_hold(const Program& program) {
-  return std::ranges::all_of(all_claims(program), &ClaimVerdict::holds);
+bool all_hold(const std::vector<ClaimVerdict>& verdicts) {
+  return std::ranges::all_of(verdicts, &ClaimVerdict::holds);
 }
 
 struct Count {
@@ -128,10 +128,13 @@ void try_mutation(const CatalogueFile& file, const Mutation& mutation,
       return true;
     }
   };
-  if (caught([&] { return claims_hold(mutant); })) {
+  // The dearest test comes last: a limit of a mutant with roots takes seconds.
+  if (caught([&] { return all_hold(claims(mutant)); })) {
     ++count.by_claims;
   } else if (caught([&] { return golden.agrees(mutant); })) {
     ++count.by_shortfalls;
+  } else if (caught([&] { return all_hold(stability_claims(mutant)); })) {
+    ++count.by_claims;
   } else {
     const auto line = std::ranges::count(text.substr(0, mutation.begin), '\n') + 1;
     count.escaped.push_back(std::string(file.path) + ":" + std::to_string(line) + ": " +
