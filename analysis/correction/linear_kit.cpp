@@ -10,6 +10,7 @@
 #include "analysis/correction/matching.hpp"
 #include "analysis/correction/open_step.hpp"
 #include "analysis/correction/own_parameters.hpp"
+#include "analysis/correction/stiffness_alone.hpp"
 #include "analysis/program/print.hpp"
 
 namespace shortfall {
@@ -53,7 +54,7 @@ class Matcher {
     Matching found = match(free);
     // Every substep leaves the same share of the velocity: with the root of D the parameter is rational.
     const int parts = found.kind == Matching::Kind::algebraic && !force_.spring && own_.tuned_for(kDamping)
-                          ? equal_parts()
+                          ? equal_parts(program_, given_, substeps_)
                           : 1;
     if (parts > 1) {
       decay_ = Fraction::letter(kFlowDecay).pow(parts);
@@ -68,7 +69,7 @@ class Matcher {
       }
     }
     if (found.kind == Matching::Kind::impossible && !force_.damper) {
-      kit_.notes.push_back(why_not_stiffness_alone(found));
+      kit_.notes.push_back(why_not_stiffness_alone(*step_, found.obstruction, names_));
       free.damper = true;
       found = match(free);
     }
@@ -117,9 +118,10 @@ class Matcher {
     if (free.spring || own_.tuned_for(kStiffness)) unknowns.push_back(kStiffness);
     if (free.damper || own_.tuned_for(kDamping)) unknowns.push_back(kDamping);
     if (unknowns.empty()) return nothing_to_tune();
-    // k alone, and a determinant that depends on it: see why_not_stiffness_alone. No common factor has to be
+    // k alone, and a determinant that depends on it: see stiffness_alone.hpp. No common factor has to be
     // looked for.
-    if (unknowns == std::vector<Letter>{kStiffness} && !step_->pair.empty() && step_->pair[0].contains(kStiffness))
+    if (unknowns == std::vector<Letter>{kStiffness} && !step_->pair.empty() &&
+        step_->pair[0].contains(kStiffness))
       return {Matching::Kind::impossible, unknowns, {}, {}, {}, false};
     return matching(conditions(), unknowns, point_, names_);
   }
@@ -136,20 +138,6 @@ class Matcher {
     return m;
   }
 
-  /// How many equal substeps a step has, as far as it says so.
-  int equal_parts() const {
-    int parts = substeps_;
-    const Values values = parameter_values(program_, given_);
-    for (const Statement& s : program_.step) {
-      if (s.kind != Statement::Kind::substeps) continue;
-      const auto count =
-          s.value->op == Expression::Op::name ? values.at(s.value->name) : literal_value(s.value).value_or(1);
-      std::int64_t whole = 1;
-      if (count.fits_int64(whole)) parts *= static_cast<int>(whole);
-    }
-    return parts;
-  }
-
   /// That z^2 - T z + D divides the characteristic polynomial.
   std::vector<Fraction> conditions() const {
     if (!step_->pair.empty()) return {-step_->pair[1] - trace_, step_->pair[0] - decay_};
@@ -159,40 +147,6 @@ class Matcher {
       rest[j - 2] -= rest[j] * decay_;
     }
     return {rest[1], rest[0]};
-  }
-
-  std::string why_not_stiffness_alone(const Matching& m) const {
-    const Wording w{names_, "n", true};
-    std::string text = "a stiffness alone does not exist: ";
-    if (step_->pair.empty())
-      return text + m.obstruction +
-             "; z^2 - 2 cos(w h) z + 1 divides the characteristic polynomial for no k_new";
-    if (!step_->pair[0].contains(kStiffness)) return text + m.obstruction;
-    return text + "the determinant of the step is " + print_in_scaled(step_->pair[0]) +
-           ", y = h^2 k_new, and has to be 1; y would be a root of a polynomial with constant coefficients, "
-           "so would not "
-           "depend on w h, and neither would the trace, which has to be 2 cos(w h)" +
-           for_letters(step_->pair[0]);
-  }
-
-  bool is_extra(Letter letter) const {
-    return std::ranges::any_of(step_->map.extras, [&](const auto& e) { return e.letter == letter; });
-  }
-
-  /// A statement about letters says nothing about each of their values.
-  std::string for_letters(const Fraction& f) const {
-    std::string letters;
-    for (Letter letter = kFirstParameter; letter < kTrueStiffness; ++letter)
-      if (f.contains(letter) && !is_extra(letter)) letters += (letters.empty() ? "" : ", ") + names_[letter];
-    return letters.empty() ? ""
-                           : "; so with " + letters + " left open, a single value is asked for with --param";
-  }
-
-  /// With h = 1: y for h^2 k.
-  std::string print_in_scaled(const Fraction& f) const {
-    std::vector<std::string> names = names_;
-    names[kStiffness] = "y";
-    return print(formula(f.substitute(kStepLetter, Fraction(1)), {names, "n", true}));
   }
 
   void launch(const Matching& found) {
@@ -235,7 +189,7 @@ class Matcher {
       }
       return f;
     };
-    if (const std::size_t terms = size_of(solved); terms > kLongestKit) {
+    if (const std::size_t terms = term_count(solved); terms > kLongestKit) {
       kit_.impossible = false;
       kit_.obstruction =
           "the parameters exist for small steps, as roots of equations, and so does the launch, but its "
@@ -284,22 +238,6 @@ class Matcher {
 
   Wording wording() const { return {names_, "n", true}; }
   Wording launch_wording() const { return {lettered_ ? lettered_->names : names_, "n", true}; }
-
-  static std::size_t size_of(const LinearLaunch& solved) {
-    std::size_t terms = 0;
-    const auto count = [&](const Fraction& f) {
-      terms += f.numerator().terms().size() + f.denominator().terms().size();
-    };
-    const auto count_form = [&](const ForceForm& form) {
-      count(form.x);
-      count(form.v);
-      for (const Fraction& f : form.f) count(f);
-    };
-    for (const Fraction& f : solved.force) count(f);
-    for (const auto& [target, form] : solved.start) count_form(form);
-    if (solved.read_out) count_form(*solved.read_out);
-    return terms;
-  }
 
   /// x * first + v * second + the force and its derivatives, the latter as f, f', ... or spelled out.
   Expr combination(const ForceForm& form, const char* x, const char* v, bool spelled, bool at_zero) const {

@@ -215,4 +215,20 @@ class Solver {
 
 LinearLaunch linear_launch(const LaunchProblem& problem) { return Solver(problem).solved(); }
 
+std::size_t term_count(const LinearLaunch& launch) {
+  std::size_t terms = 0;
+  const auto count = [&](const Fraction& f) {
+    terms += f.numerator().terms().size() + f.denominator().terms().size();
+  };
+  const auto count_form = [&](const ForceForm& form) {
+    count(form.x);
+    count(form.v);
+    for (const Fraction& f : form.f) count(f);
+  };
+  for (const Fraction& f : launch.force) count(f);
+  for (const auto& [target, form] : launch.start) count_form(form);
+  if (launch.read_out) count_form(*launch.read_out);
+  return terms;
+}
+
 }  // namespace shortfall

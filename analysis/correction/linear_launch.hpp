@@ -49,4 +49,7 @@ struct LaunchProblem {
 /// both sides have: the force is chosen so that these agree.
 LinearLaunch linear_launch(const LaunchProblem& problem);
 
+/// Terms of all its numerators and denominators: how long its formulas are.
+std::size_t term_count(const LinearLaunch& launch);
+
 }  // namespace shortfall

@@ -66,4 +66,17 @@ OwnParameters own_parameters(const Program& program, const Force& asked, const V
   return result;
 }
 
+int equal_parts(const Program& program, const Values& given, int substeps) {
+  int parts = substeps;
+  const Values values = parameter_values(program, given);
+  for (const Statement& s : program.step) {
+    if (s.kind != Statement::Kind::substeps) continue;
+    const auto count =
+        s.value->op == Expression::Op::name ? values.at(s.value->name) : literal_value(s.value).value_or(1);
+    std::int64_t whole = 1;
+    if (count.fits_int64(whole)) parts *= static_cast<int>(whole);
+  }
+  return parts;
+}
+
 }  // namespace shortfall

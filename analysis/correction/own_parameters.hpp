@@ -31,4 +31,7 @@ struct OwnParameters {
 /// throws  Unable  when the own damping is neither exact nor a multiple of one parameter
 OwnParameters own_parameters(const Program& program, const Force& asked, const Values& given, int substeps);
 
+/// How many equal substeps a step has, as far as it says so.
+int equal_parts(const Program& program, const Values& given, int substeps);
+
 }  // namespace shortfall
