@@ -33,4 +33,9 @@ FormulaScalars formula_scalars(const Program& program, const Values& given = {},
 Motion evaluated(const Expr& formula, const FormulaScalars& scalars, int degree,
                  ExtraLetters* extras = nullptr);
 
+/// A formula that contains no vector, as a rational function of its scalars.
+///
+/// throws  Unable  when it has a power of n, or n in an exponent
+Fraction scalar_value(const Expr& formula, const FormulaScalars& scalars, ExtraLetters* extras = nullptr);
+
 }  // namespace shortfall

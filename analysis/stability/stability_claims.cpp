@@ -25,11 +25,7 @@ Fraction value_of(const Claim& claim, const Program& program, ExtraLetters& extr
   FormulaScalars scalars = formula_scalars(program, {}, &extras);
   scalars["z"] = Fraction::letter(kPhase);
   scalars["w"] = Fraction::letter(kPhase) / Fraction::letter(kStepLetter);
-  // Formulas are vectors: the coefficient of x0 is the number.
-  const Expr vector = binary(Expression::Op::multiply, claim.value, name("x0"));
-  const Motion motion = evaluated(vector, scalars, 0, &extras);
-  if (!motion[0].is_polynomial()) throw Unable("the claim '" + print(claim.value) + "' depends on n");
-  return motion[0].polynomial().substitute(kStepLetter, Fraction(1));
+  return scalar_value(claim.value, scalars, &extras).substitute(kStepLetter, Fraction(1));
 }
 
 ClaimVerdict matrix_verdict(const Program& program, const Claim& claim) {

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/series/order.hpp"
+
+#include <algorithm>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/series/differential.hpp"
+
+namespace shortfall {
+
+namespace {
+
+Signature linear_forces() {
+  Signature s = Signature::mechanical(true, true);
+  s.functions[0].most = 1;
+  return s;
+}
+
+Signature forces_of_time() {
+  Signature s = Signature::mechanical(false, true);
+  std::erase_if(s.functions[0].reads, [](const Signature::Slot& slot) { return slot.component == 0; });
+  return s;
+}
+
+/// With a tableau every rooted tree of y' = f(y) is one of a(x, v) as well, and the other way round: the
+/// conditions are the same, and there are fewer of them.
+Signature signature_for(const SeriesSource& source, const ForceClass& forces) {
+  if (source.has_tableau() && forces.key == "general") return Signature::first_order_with_time();
+  if (source.has_tableau() && forces.key == "autonomous") return Signature::first_order();
+  return forces.signature;
+}
+
+bool fits(const Signature& signature, int order, const OrderLimits& limits) {
+  if (TreeTable::bytes_needed(signature, order) > limits.most_bytes) return false;
+  Rational trees;
+  for (std::size_t f = 0; f < signature.functions.size(); ++f)
+    for (const Rational& count : tree_counts(signature, static_cast<int>(f), order)) trees += count;
+  return trees <= Rational(limits.most_trees);
+}
+
+template <class K>
+std::vector<ErrorTerm> terms_of_order(const SeriesSource& source, const TreeTable& table, int order,
+                                      const TreeSeries<K>& series) {
+  std::vector<ErrorTerm> errors;
+  for (TreeId t = table.begin(order); t < table.end(order); ++t) {
+    if (vanishes(series[t])) continue;
+    const Fraction coefficient = Fraction(series[t]) / Fraction(table.symmetry(t));
+    if (source.zero(Fraction(series[t]))) continue;
+    errors.push_back({tree_text(table, t), differential(table, t),
+                      table.signature().components[table.component(t)], order, coefficient});
+  }
+  return errors;
+}
+
+}  // namespace
+
+const std::vector<ForceClass>& force_classes() {
+  static const std::vector<ForceClass> classes{
+      {"general", "a(x, v, t)", "every smooth force", Signature::mechanical(true, true)},
+      {"velocity_independent", "a(x, t)", "forces that do not read the velocity",
+       Signature::mechanical(false, true)},
+      {"autonomous", "a(x, v)", "forces that do not read the time", Signature::mechanical(true, false)},
+      {"position_only", "a(x)", "forces of the position alone", Signature::mechanical(false, false)},
+      {"linear", "-K x - C v + g + b t", "linear forces", linear_forces()},
+      {"time_only", "a(t)", "forces of the time alone", forces_of_time()}};
+  return classes;
+}
+
+const ForceClass& force_class(const std::string& key) {
+  for (const ForceClass& c : force_classes())
+    if (c.key == key) return c;
+  throw BadInput("no class of forces is called '" + key + "'");
+}
+
+const OrderOfClass& Order::of(const std::string& key) const {
+  for (const OrderOfClass& c : classes)
+    if (c.forces->key == key) return c;
+  throw BadInput("no class of forces is called '" + key + "'");
+}
+
+OrderOfClass order_of_class(const SeriesSource& source, const ForceClass& forces, const OrderLimits& limits) {
+  const Signature signature = signature_for(source, forces);
+  OrderOfClass result{&forces, 0, true, false, 0, {}};
+  for (int n = 1; n <= limits.highest && fits(signature, n, limits); ++n) {
+    const TreeTable table(signature, n, limits.most_bytes);
+    std::vector<ErrorTerm> errors, start;
+    with_coefficients(source, [&]<class K>() {
+      const OneStep<K> step = source.step<K>(table);
+      const TreeSeries<K> exact = exact_flow<K>(table);
+      TreeSeries<K> difference = step.map;
+      for (TreeId t = table.begin(n); t < table.end(n); ++t) difference[t] -= exact[t];
+      errors = terms_of_order(source, table, n, difference);
+      start = terms_of_order(source, table, n, step.start);
+    });
+    if (!errors.empty()) {
+      result.at_least = false;
+      result.errors = std::move(errors);
+      return result;
+    }
+    result.order = n;
+    result.conditions = static_cast<std::size_t>(table.size());
+    if (!start.empty()) {
+      result.at_least = false;
+      result.by_the_start = true;
+      result.errors = std::move(start);
+      return result;
+    }
+  }
+  return result;
+}
+
+Order order(const SeriesSource& source, const OrderLimits& limits) {
+  Order result;
+  result.integrator = source.program().name;
+  result.digits = source.digits();
+  result.notes = source.notes();
+  for (const ForceClass& forces : force_classes())
+    result.classes.push_back(order_of_class(source, forces, limits));
+  return result;
+}
+
+}  // namespace shortfall

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "analysis/algebra/fraction.hpp"
+#include "analysis/series/step_series.hpp"
+
+namespace shortfall {
+
+/// A class of forces, as a signature: what is known of the force before it is chosen.
+struct ForceClass {
+  std::string key;    ///< "velocity_independent"
+  std::string force;  ///< "a(x, t)"
+  std::string words;  ///< "that does not read the velocity"
+  Signature signature;
+};
+
+/// general, velocity-independent, autonomous, of the position alone, linear, of the time alone.
+const std::vector<ForceClass>& force_classes();
+const ForceClass& force_class(const std::string& key);
+
+/// A tree whose coefficient is not that of the exact flow.
+struct ErrorTerm {
+  std::string tree;
+  std::string differential;
+  std::string component;  ///< whose error it is: "x", "v" or "y"
+  int order;              ///< h^order
+  Fraction coefficient;   ///< computed minus exact, in front of the differential
+};
+
+struct OrderOfClass {
+  const ForceClass* forces;
+  /// Local errors of x and v are O(h^(order+1)), and so few h's are lost at the start.
+  int order = 0;
+  bool at_least = false;      ///< every condition that was looked at holds; there may be more
+  bool by_the_start = false;  ///< the step itself is of a higher order, the start is not
+  std::size_t conditions = 0;  ///< trees up to the order, all of which hold
+  std::vector<ErrorTerm> errors;  ///< of the order above; of what the start puts when by_the_start
+};
+
+/// How many terms of the exact series a step gets right, for each class of forces.
+struct Order {
+  std::string integrator;
+  std::vector<OrderOfClass> classes;  ///< as in force_classes()
+  int digits = 0;                     ///< 0: proved; otherwise coefficients are zero to so many digits
+  std::vector<std::string> notes;
+
+  const OrderOfClass& of(const std::string& key) const;
+};
+
+struct OrderLimits {
+  int highest = 12;           ///< order up to which conditions are looked at
+  double most_bytes = 200e6;  ///< for the trees
+  TreeId most_trees = 30'000;
+};
+
+/// throws  Unable, Undefined  when the step has no series: see one_step.hpp
+OrderOfClass order_of_class(const SeriesSource& source, const ForceClass& forces, const OrderLimits& limits = {});
+Order order(const SeriesSource& source, const OrderLimits& limits = {});
+
+}  // namespace shortfall

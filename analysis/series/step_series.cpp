@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/series/step_series.hpp"
+
+#include <algorithm>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/motion/formula.hpp"
+#include "analysis/motion/formula_text.hpp"
+#include "analysis/program/print.hpp"
+#include "analysis/program/transform.hpp"
+
+namespace shortfall {
+
+namespace {
+
+/// Parameters that are no pure numbers have no power of h of their own: they are switched off.
+Values without_own_scales(const Program& program, Values given, std::vector<std::string>& notes) {
+  const Values values = parameter_values(program, given);
+  for (const Parameter& p : program.parameters) {
+    // Lengths and speeds are limits that never act here.
+    if (p.dimension.length != 0 || p.dimension.time == 0) continue;
+    const Rational& value = values.at(p.name);
+    if (value.is_zero()) continue;
+    if (given.contains(p.name))
+      throw Unable("with " + p.name + " = " + value.str() + " (" + p.dimension.str() +
+                   ") the step is for another equation, and its series is not made; " + p.name +
+                   " = 0 is what can be asked for");
+    given[p.name] = 0;
+    notes.push_back("with " + p.name + " = 0; " + p.name + " = " + value.decimal(4) +
+                    ", the default, belongs to another equation");
+  }
+  return given;
+}
+
+bool is_rational(const Tape& tape, const TreeTable& table) {
+  try {
+    SmoothForce<Rational> problem(table);
+    one_step<Rational>(tape, problem, table);
+  } catch (const Undefined&) {
+    throw;
+  } catch (const Unable&) {
+    return false;
+  }
+  return true;
+}
+
+constexpr int kWorkingDigits = 60;
+
+}  // namespace
+
+SeriesSource::SeriesSource(const Program& program, const Values& given) : program_(undisturbed(program)) {
+  values_ = without_own_scales(program, given, notes_);
+  tape_ = lower(program_, values_);
+  const TreeTable table(Signature::mechanical(true, true), 1);
+  if (!is_rational(tape_, table)) {
+    field_ = std::make_unique<NumberField>();
+    extras_ = std::make_shared<ExtraLetters>(letter_names(tape_));
+    step<Fraction>(table);  // says what it cannot do, and finds the roots
+    for (const ExtraLetters::Extra& e : extras_->all())
+      if (!e.root) throw Unable("the step calls " + e.name + ", and its series is not made");
+  }
+  for (const Tape::Limit& limit : tape_.limits) notes_.push_back("'" + limit.text + "' never acts");
+  for (const Tape::When& when : tape_.whens) notes_.push_back("'" + when.text + "' always holds");
+}
+
+bool SeriesSource::zero(const Fraction& difference) const {
+  Agreement agreement(program_);
+  agreement.add(difference);
+  return agreement.holds();
+}
+
+std::vector<std::string> SeriesSource::letters() const {
+  return extras_ ? extras_->names() : letter_names(tape_);
+}
+
+const std::vector<ExtraLetters::Extra>& SeriesSource::extras() const {
+  static const std::vector<ExtraLetters::Extra> none;
+  return extras_ ? extras_->all() : none;
+}
+
+Expr SeriesSource::formula(const Fraction& coefficient) const {
+  return shortfall::formula(coefficient, Wording{letters()});
+}
+
+Rational SeriesSource::approximate(const Fraction& coefficient) const {
+  if (coefficient.is_constant()) return coefficient.constant();
+  std::map<Letter, Rational> values;
+  for (const ExtraLetters::Extra& e : extras()) values[e.letter] = near(*e.root, kWorkingDigits);
+  return coefficient.evaluate(values);
+}
+
+std::string SeriesSource::decimal(const Fraction& coefficient, int digits) const {
+  return approximate(coefficient).significant(digits);
+}
+
+double SeriesSource::to_double(const Fraction& coefficient) const {
+  return approximate(coefficient).to_double();
+}
+
+Fraction SeriesSource::entry(const Expr& e) const {
+  return scalar_value(e, formula_scalars(program_, parameter_values(program_, values_), extras_.get()),
+                      extras_.get());
+}
+
+template <class K>
+ButcherTableau<K> SeriesSource::tableau() const {
+  if (!program_.tableau) throw Unable(program_.name + " is not written as a tableau");
+  const Tableau& t = *program_.tableau;
+  const std::size_t stages = t.b.size();
+  const auto value = [&](const Expr& e) {
+    if constexpr (std::is_same_v<K, Fraction>)
+      return entry(e);
+    else
+      return entry(e).constant();
+  };
+  ButcherTableau<K> result;
+  for (std::size_t i = 0; i < stages; ++i) {
+    result.a.emplace_back(stages, K(0));
+    for (std::size_t j = 0; j < t.a[i].size(); ++j) result.a[i][j] = value(t.a[i][j]);
+    result.b.push_back(value(t.b[i]));
+    result.c.push_back(value(t.c[i]));
+  }
+  for (const Expr& e : t.embedded) result.embedded.push_back(value(e));
+  return result;
+}
+
+template <class K>
+OneStep<K> SeriesSource::step(const TreeTable& table) const {
+  const Signature& s = table.signature();
+  if (s == Signature::first_order() || s == Signature::first_order_with_time()) {
+    OneStep<K> result;
+    const ButcherTableau<K> t = tableau<K>();
+    result.map = ElementaryWeights<K>(t, table).result(t.b);
+    result.field = logarithm(table, result.map);
+    result.start.assign(table.size(), K(0));
+    return result;
+  }
+  SmoothForce<K> problem(table);
+  if constexpr (std::is_same_v<K, Fraction>) problem.extras = extras_;
+  return one_step<K>(tape_, problem, table);
+}
+
+template ButcherTableau<Rational> SeriesSource::tableau() const;
+template ButcherTableau<Fraction> SeriesSource::tableau() const;
+template OneStep<Rational> SeriesSource::step(const TreeTable&) const;
+template OneStep<Fraction> SeriesSource::step(const TreeTable&) const;
+
+}  // namespace shortfall
