@@ -24,9 +24,7 @@ bool Signature::operator==(const Signature& other) const {
 
 Signature Signature::first_order() { return {{"y"}, {{"f", 0, {{0}}}}}; }
 
-Signature Signature::first_order_with_time() {
-  return {{"y", "t"}, {{"f", 0, {{0}, {1}}}, {"1", 1, {}}}};
-}
+Signature Signature::first_order_with_time() { return {{"y", "t"}, {{"f", 0, {{0}, {1}}}, {"1", 1, {}}}}; }
 
 Signature Signature::additive() { return {{"y"}, {{"f", 0, {{0}}}, {"g", 0, {{0}}}}}; }
 

@@ -33,10 +33,10 @@ struct Signature {
   const Slot* slot(int function, int component) const;
   bool operator==(const Signature& other) const;
 
-  static Signature first_order();                 ///< y' = f(y)
-  static Signature first_order_with_time();       ///< y' = f(y, t)
-  static Signature additive();                    ///< y' = f(y) + g(y)
-  static Signature separable();                   ///< q' = f(p), p' = g(q): T(p) + V(q)
+  static Signature first_order();            ///< y' = f(y)
+  static Signature first_order_with_time();  ///< y' = f(y, t)
+  static Signature additive();               ///< y' = f(y) + g(y)
+  static Signature separable();              ///< q' = f(p), p' = g(q): T(p) + V(q)
   /// x' = v, v' = a(x), and of v and t as asked. Function 0 is a, function 1 the drift v, function 2 the
   /// clock t' = 1.
   static Signature mechanical(bool reads_velocity, bool reads_time);

@@ -78,8 +78,7 @@ TreeSeries<K> lie_derivative(const TreeTable& table, const TreeSeries<K>& b, con
   TreeSeries<K> result(table.size(), K(0));
   for (TreeId t = 0; t < table.size(); ++t)
     for (const TreeTable::Split& s : table.splits(t))
-      if (!vanishes(b[s.branch]) && !vanishes(c[s.trunk]))
-        result[t] += K(s.count) * b[s.branch] * c[s.trunk];
+      if (!vanishes(b[s.branch]) && !vanishes(c[s.trunk])) result[t] += K(s.count) * b[s.branch] * c[s.trunk];
   return result;
 }
 

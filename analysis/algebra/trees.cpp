@@ -12,8 +12,8 @@ namespace {
 constexpr int kHighestOrder = 100;  // orders are kept in a byte; memory ends long before
 
 std::size_t mixed(TreeId left, TreeId right) {
-  const std::uint64_t key =
-      (static_cast<std::uint64_t>(static_cast<std::uint32_t>(left)) << 32) | static_cast<std::uint32_t>(right);
+  const std::uint64_t key = (static_cast<std::uint64_t>(static_cast<std::uint32_t>(left)) << 32) |
+                            static_cast<std::uint32_t>(right);
   return static_cast<std::size_t>((key * 0x9E3779B97F4A7C15ull) >> 20);
 }
 
@@ -44,9 +44,9 @@ TreeTable::TreeTable(Signature signature, int order, double most_bytes) : signat
   // Low orders fit by themselves; the count of high ones takes longer than the trees of low ones.
   for (int n = std::min(order, 6); n <= order; ++n)
     if (const double bytes = bytes_needed(signature_, n); bytes > most_bytes || bytes > 1e11)
-      throw Unable("the trees of order " + std::to_string(n) + " take " + in_megabytes(bytes) +
-                   ", and " + in_megabytes(most_bytes) + " are allowed: ask for order " +
-                   std::to_string(n - 1) + " or less");
+      throw Unable("the trees of order " + std::to_string(n) + " take " + in_megabytes(bytes) + ", and " +
+                   in_megabytes(most_bytes) + " are allowed: ask for order " + std::to_string(n - 1) +
+                   " or less");
   index_.assign(1024, -1);
   first_split_.push_back(0);
   begin_ = {0, 0};

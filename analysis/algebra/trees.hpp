@@ -12,8 +12,8 @@ namespace shortfall {
 
 using TreeId = std::int32_t;
 
-/// All coloured rooted trees of a signature up to an order, interned: equal trees have equal ids, and ids grow
-/// with the order (the number of nodes).
+/// All coloured rooted trees of a signature up to an order, interned: equal trees have equal ids, and ids
+/// grow with the order (the number of nodes).
 ///
 /// A tree is the Butcher product of `left` and `right`: its largest child `right` hangs from the root of
 /// `left`. So every property of a tree follows from two smaller ones.
@@ -36,8 +36,8 @@ class TreeTable {
   int function(TreeId t) const { return trees_[t].function; }
   int component(TreeId t) const { return signature_.functions[trees_[t].function].component; }
   bool is_node(TreeId t) const { return trees_[t].left < 0; }
-  TreeId left(TreeId t) const { return trees_[t].left; }    ///< -1 for a single node
-  TreeId right(TreeId t) const { return trees_[t].right; }  ///< the largest child
+  TreeId left(TreeId t) const { return trees_[t].left; }               ///< -1 for a single node
+  TreeId right(TreeId t) const { return trees_[t].right; }             ///< the largest child
   int multiplicity(TreeId t) const { return trees_[t].multiplicity; }  ///< how often that child occurs
   std::vector<TreeId> children(TreeId t) const;                        ///< the largest first
   /// The single node of a function.

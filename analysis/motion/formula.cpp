@@ -197,8 +197,7 @@ Motion evaluated(const Expr& formula, const FormulaScalars& scalars, int degree,
 
 Fraction scalar_value(const Expr& formula, const FormulaScalars& scalars, ExtraLetters* extras) {
   // Formulas are vectors: the coefficient of x0 is the number.
-  const Motion motion =
-      evaluated(binary(Expression::Op::multiply, formula, name("x0")), scalars, 0, extras);
+  const Motion motion = evaluated(binary(Expression::Op::multiply, formula, name("x0")), scalars, 0, extras);
   if (!motion[0].is_polynomial()) throw Unable("the value of '" + print(formula) + "' depends on n");
   return motion[0].polynomial();
 }

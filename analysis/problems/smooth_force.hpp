@@ -17,7 +17,8 @@ namespace shortfall {
 
 /// A vector of the tree problem: a combination of the position and the velocity at which all is expanded and
 /// of the elementary differentials of the acceleration there. Entry 0 belongs to x, entry 1 to v, entry 2 + r
-/// to the tree of rank r, see SmoothForce. The step h is 1: the power of h follows from the order of the tree.
+/// to the tree of rank r, see SmoothForce. The step h is 1: the power of h follows from the order of the
+/// tree.
 template <class K>
 struct Differentials {
   std::vector<K> c;
@@ -137,7 +138,7 @@ class SmoothForce {
   bool reads_velocity_;
   std::size_t entries_ = 2;     ///< of a vector
   std::size_t free_entry_ = 2;  ///< one that no vector has
-  std::vector<TreeId> trees_;  ///< with a at the root, by rank
+  std::vector<TreeId> trees_;   ///< with a at the root, by rank
   std::vector<std::int32_t> ranks_;
   std::vector<std::size_t> ranks_up_to_;  ///< how many trees there are up to an order
   std::vector<Graft> grafts_;

@@ -25,8 +25,8 @@ SmoothForce<K>::SmoothForce(const TreeTable& table)
     const TreeId child = table.right(t);
     const int slot = table.component(child);
     // The child v stands for the velocity itself, v[tau] for the acceleration's differential tau.
-    const std::int32_t index = slot == 2   ? 0
-                               : slot == 1 ? 2 + ranks_[child]
+    const std::int32_t index = slot == 2              ? 0
+                               : slot == 1            ? 2 + ranks_[child]
                                : table.is_node(child) ? 1
                                                       : 2 + ranks_[table.right(child)];
     grafts_.push_back({ranks_[table.left(t)], index, static_cast<std::int8_t>(slot),
@@ -40,8 +40,7 @@ template <class K>
 Differentials<K> SmoothForce<K>::acceleration(const Vector& x, const Vector& v, const Scalar& t) const {
   Vector result;
   if (entries_ == 2) return result;
-  if (!vanishes(x[0] - K(1)))
-    throw Unable("the step evaluates the force at a position that is not near x");
+  if (!vanishes(x[0] - K(1))) throw Unable("the step evaluates the force at a position that is not near x");
   if (reads_velocity_ && (!vanishes(v[0]) || !vanishes(v[1] - K(1))))
     throw Unable("the step evaluates the force at a velocity that is not near v");
   result.c.assign(entries_, K(0));

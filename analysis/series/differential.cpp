@@ -58,7 +58,8 @@ std::string differential(const TreeTable& table, TreeId t, bool latex) {
   }
   if (children.empty()) return text;
   if (children.size() == 1)
-    return text + (has_one_component_of_space(s) && !latex ? "" : " ") + differential(table, children[0], latex);
+    return text + (has_one_component_of_space(s) && !latex ? "" : " ") +
+           differential(table, children[0], latex);
   text += "(";
   for (std::size_t i = 0; i < children.size(); ++i)
     text += (i > 0 ? ", " : "") + differential(table, children[i], latex);
@@ -70,7 +71,8 @@ std::string tree_text(const TreeTable& table, TreeId t) {
   const std::vector<TreeId> children = children_of(table, t);
   if (children.empty()) return text;
   text += "[";
-  for (std::size_t i = 0; i < children.size(); ++i) text += (i > 0 ? "," : "") + tree_text(table, children[i]);
+  for (std::size_t i = 0; i < children.size(); ++i)
+    text += (i > 0 ? "," : "") + tree_text(table, children[i]);
   return text + "]";
 }
 

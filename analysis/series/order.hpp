@@ -35,9 +35,9 @@ struct OrderOfClass {
   const ForceClass* forces;
   /// Local errors of x and v are O(h^(order+1)), and so few h's are lost at the start.
   int order = 0;
-  bool at_least = false;      ///< every condition that was looked at holds; there may be more
-  bool by_the_start = false;  ///< the step itself is of a higher order, the start is not
-  std::size_t conditions = 0;  ///< trees up to the order, all of which hold
+  bool at_least = false;          ///< every condition that was looked at holds; there may be more
+  bool by_the_start = false;      ///< the step itself is of a higher order, the start is not
+  std::size_t conditions = 0;     ///< trees up to the order, all of which hold
   std::vector<ErrorTerm> errors;  ///< of the order above; of what the start puts when by_the_start
 };
 
@@ -58,7 +58,8 @@ struct OrderLimits {
 };
 
 /// throws  Unable, Undefined  when the step has no series: see one_step.hpp
-OrderOfClass order_of_class(const SeriesSource& source, const ForceClass& forces, const OrderLimits& limits = {});
+OrderOfClass order_of_class(const SeriesSource& source, const ForceClass& forces,
+                            const OrderLimits& limits = {});
 Order order(const SeriesSource& source, const OrderLimits& limits = {});
 
 }  // namespace shortfall

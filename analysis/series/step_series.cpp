@@ -6,6 +6,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/motion/formula.hpp"
 #include "analysis/motion/formula_text.hpp"
+#include "analysis/motion/own_equation.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/transform.hpp"
 
@@ -13,23 +14,51 @@ namespace shortfall {
 
 namespace {
 
-/// Parameters that are no pure numbers have no power of h of their own: they are switched off.
-Values without_own_scales(const Program& program, Values given, std::vector<std::string>& notes) {
+/// Whether an integrator is for x'' = a alone, with these values.
+bool solves_plainly(const Program& program, const Values& given) {
+  const NumberField field;
+  ExtraLetters extras(letter_names(lower(program, given)));
+  const OwnEquation own = own_equation(program, given, extras);
+  return own.stiffness.is_zero() && own.damping.is_zero();
+}
+
+/// An integrator with a damping of its own, without it: it solves another equation otherwise.
+Values without_own_damping(const Program& program, Values given, std::vector<std::string>& notes) {
+  if (!program.solves) return given;
   const Values values = parameter_values(program, given);
+  if (solves_plainly(program, values)) return given;
+  const NumberField field;
+  ExtraLetters extras(letter_names(lower(program)));
+  for (const std::string& name : own_equation(program, {}, extras).parameters) {
+    Values plain = given;
+    plain[name] = 0;
+    if (!solves_plainly(program, parameter_values(program, plain))) continue;
+    if (given.contains(name))
+      throw Unable("with " + name + " = " + given.at(name).str() +
+                   " the step is for an equation with a damping of its own, and its series is made for " +
+                   name + " = 0 only");
+    notes.push_back("with " + name + " = 0; with " + name + " = " + values.at(name).significant(4) +
+                    ", the default, it solves an equation with a damping of its own");
+    return plain;
+  }
+  throw Unable("the step has a damping or a spring of its own, which no parameter switches off");
+}
+
+/// A parameter with a unit of time sets a scale of its own, against which h is measured; then a power of h
+/// does not follow from the order of a tree. It may stand there if nothing depends on it.
+template <class Step>
+void check_scales(const Program& program, const Values& given, const Step& step) {
   for (const Parameter& p : program.parameters) {
     // Lengths and speeds are limits that never act here.
     if (p.dimension.length != 0 || p.dimension.time == 0) continue;
-    const Rational& value = values.at(p.name);
-    if (value.is_zero()) continue;
-    if (given.contains(p.name))
-      throw Unable("with " + p.name + " = " + value.str() + " (" + p.dimension.str() +
-                   ") the step is for another equation, and its series is not made; " + p.name +
+    Values other = given;
+    other[p.name] = parameter_values(program, given).at(p.name) * Rational(7, 5);
+    if (other[p.name].is_zero()) continue;
+    if (!step(given, other))
+      throw Unable("the step depends on " + p.name + " (" + p.dimension.str() +
+                   "), so that its series is not one in powers of h; " + p.name +
                    " = 0 is what can be asked for");
-    given[p.name] = 0;
-    notes.push_back("with " + p.name + " = 0; " + p.name + " = " + value.decimal(4) +
-                    ", the default, belongs to another equation");
   }
-  return given;
 }
 
 bool is_rational(const Tape& tape, const TreeTable& table) {
@@ -49,9 +78,9 @@ constexpr int kWorkingDigits = 60;
 }  // namespace
 
 SeriesSource::SeriesSource(const Program& program, const Values& given) : program_(undisturbed(program)) {
-  values_ = without_own_scales(program, given, notes_);
+  values_ = without_own_damping(program_, given, notes_);
   tape_ = lower(program_, values_);
-  const TreeTable table(Signature::mechanical(true, true), 1);
+  const TreeTable table(Signature::mechanical(true, true), 2);
   if (!is_rational(tape_, table)) {
     field_ = std::make_unique<NumberField>();
     extras_ = std::make_shared<ExtraLetters>(letter_names(tape_));
@@ -59,6 +88,14 @@ SeriesSource::SeriesSource(const Program& program, const Values& given) : progra
     for (const ExtraLetters::Extra& e : extras_->all())
       if (!e.root) throw Unable("the step calls " + e.name + ", and its series is not made");
   }
+  check_scales(program_, values_, [&](const Values& one, const Values& other) {
+    const auto map = [&](const Values& values) {
+      SmoothForce<Fraction> problem(table);
+      problem.extras = extras_;
+      return one_step<Fraction>(lower(program_, values), problem, table).map;
+    };
+    return map(one) == map(other);
+  });
   for (const Tape::Limit& limit : tape_.limits) notes_.push_back("'" + limit.text + "' never acts");
   for (const Tape::When& when : tape_.whens) notes_.push_back("'" + when.text + "' always holds");
 }

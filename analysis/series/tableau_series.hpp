@@ -31,7 +31,8 @@ struct ButcherTableau {
 template <class K>
 class ElementaryWeights {
  public:
-  ElementaryWeights(const ButcherTableau<K>& tableau, const TreeTable& table) : tableau_(tableau), table_(table) {
+  ElementaryWeights(const ButcherTableau<K>& tableau, const TreeTable& table)
+      : tableau_(tableau), table_(table) {
     const std::size_t stages = tableau.stages();
     derivatives_.assign(table.size(), std::vector<K>(stages, K(0)));
     stages_.assign(table.size(), std::vector<K>(stages, K(0)));
