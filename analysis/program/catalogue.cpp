@@ -7,6 +7,7 @@
 #include "analysis/program/catalogue_data.hpp"
 #include "analysis/program/parse.hpp"
 #include "analysis/program/suggest.hpp"
+#include "analysis/program/tableau_file.hpp"
 
 namespace shortfall {
 
@@ -42,6 +43,7 @@ std::string family(const Program& program) { return program.file.substr(0, progr
 
 Program find_integrator(const std::string& word) {
   if (word.ends_with(".integrator")) return parse_file(word);
+  if (word.ends_with(".json")) return parse_tableau_file(word).program;
   // A word with a slash is an alias such as "3/8 rule" only when it is written as it stands; otherwise it is
   // a path.
   const bool path = word.find('/') != std::string::npos;
@@ -61,7 +63,7 @@ Program find_integrator(const std::string& word) {
   const std::string near = nearest(word, near_names);
   throw BadInput("unknown integrator '" + word + "'" +
                  (near.empty() ? "" : "; did you mean '" + near + "'?") +
-                 " (shortfall list shows all; a file ends in .integrator)");
+                 " (shortfall list shows all; a file ends in .integrator or .json)");
 }
 
 }  // namespace shortfall

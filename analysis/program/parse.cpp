@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <fstream>
 
+#include "analysis/program/file_text.hpp"
 #include "analysis/program/head.hpp"
 #include "analysis/program/splitting.hpp"
 #include "analysis/program/statement_reader.hpp"
@@ -28,7 +28,6 @@ const std::vector<std::string>& claim_words() {
 }
 
 constexpr std::size_t kLongestName = 80;
-constexpr std::size_t kLongestRead = 1'000'001;  // one byte more than a source may have, whatever the file is
 
 bool is_one_of(const std::string& word, const std::vector<std::string>& words) {
   return std::ranges::find(words, word) != words.end();
@@ -275,15 +274,7 @@ Program parse(std::string_view text, const std::string& file) {
   return parser.parsed();
 }
 
-Program parse_file(const std::string& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::string text(kLongestRead, '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  const bool read = in.gcount() > 0 || in.eof();
-  if (!read || in.bad()) throw UnreadableFile("cannot read the file '" + path + "'");
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return parse(text, path);
-}
+Program parse_file(const std::string& path) { return parse(file_text(path), path); }
 
 Expr parse_formula(std::string_view text, const std::string& origin, const Names& names, const Type& wanted) {
   const Source source(origin, text);

@@ -8,7 +8,6 @@ namespace shortfall {
 namespace {
 
 constexpr std::size_t kLongestFile = 1'000'000;
-constexpr std::size_t kLongestLine = 10'000;
 constexpr std::size_t kLongestShown = 400;  // a longer line and its caret would only fill the screen
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
@@ -43,7 +42,7 @@ std::string in_hexadecimal(char c) {
 
 }  // namespace
 
-Source::Source(std::string file, std::string_view text) : file_(std::move(file)) {
+Source::Source(std::string file, std::string_view text, std::size_t longest_line) : file_(std::move(file)) {
   if (text.size() > kLongestFile)
     throw SyntaxError(file_, 1, 1, "the file is larger than 1 MB; an integrator needs about twelve lines");
   if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);  // a byte order mark
@@ -53,7 +52,7 @@ Source::Source(std::string file, std::string_view text) : file_(std::move(file))
     std::string_view line = text.substr(begin, end - begin);
     if (line.ends_with('\r')) line.remove_suffix(1);
     const int number = line_count() + 1;
-    if (line.size() > kLongestLine)
+    if (line.size() > longest_line)
       throw SyntaxError(file_, number, 1, "the line is longer than 10,000 bytes");
     for (std::size_t i = 0; i < line.size();) {
       const std::size_t next = is_control(line[i]) ? 0 : after_character(line, i);

@@ -13,9 +13,12 @@ namespace shortfall {
 /// A text cut into lines, which knows how to complain about a place in itself.
 class Source {
  public:
+  static constexpr std::size_t kLongestLine = 10'000;
+
+  /// param   longest_line  how many bytes a line may have
   /// throws  SyntaxError  when the text is no text (NUL bytes, broken UTF-8), larger than 1 MB, or has a line
-  /// of over 10,000 bytes
-  Source(std::string file, std::string_view text);
+  /// that is too long
+  Source(std::string file, std::string_view text, std::size_t longest_line = kLongestLine);
 
   const std::string& file() const { return file_; }
   int line_count() const { return static_cast<int>(lines_.size()); }

@@ -171,8 +171,10 @@ std::optional<StabilityFunction> stability_function(const Amplification& damped)
 
 std::optional<StabilityFunction> stability_function(const Program& program, const Values& given) {
   const Values parameters = parameter_values(program, given);
-  if (program.tableau && is_rational(*program.tableau, parameters))
-    return stability_function(*program.tableau, parameters);
+  Values numbers = parameters;
+  for (const Approximation& a : program.approximations) numbers[a.name] = a.value;
+  if (program.tableau && is_rational(*program.tableau, numbers))
+    return stability_function(*program.tableau, numbers);
   return stability_function(amplification(program, parameters, Damping::viscous));
 }
 

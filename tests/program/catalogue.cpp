@@ -56,7 +56,7 @@ TEST_CASE("an integrator is found under the names that people use") {
 }
 
 TEST_CASE("an unknown name is refused with what may have been meant") {
-  const std::string list = " (shortfall list shows all; a file ends in .integrator)";
+  const std::string list = " (shortfall list shows all; a file ends in .integrator or .json)";
   CHECK(refusal("rk5") == "unknown integrator 'rk5'; did you mean 'rk4'?" + list);
   CHECK(refusal("simplectic-euler") ==
         "unknown integrator 'simplectic-euler'; did you mean 'symplectic-euler'?" + list);
