@@ -34,6 +34,13 @@ int characters(std::string_view text) {
   return static_cast<int>(std::ranges::count_if(text, [](char c) { return !continues(c); }));
 }
 
+/// 10,000 for 10000.
+std::string grouped(std::size_t number) {
+  std::string text = std::to_string(number);
+  for (std::size_t i = text.size(); i > 3;) text.insert(i -= 3, 1, ',');
+  return text;
+}
+
 std::string in_hexadecimal(char c) {
   static constexpr std::string_view kDigits = "0123456789abcdef";
   const auto byte = static_cast<unsigned char>(c);
@@ -53,21 +60,28 @@ Source::Source(std::string file, std::string_view text, std::size_t longest_line
     if (line.ends_with('\r')) line.remove_suffix(1);
     const int number = line_count() + 1;
     if (line.size() > longest_line)
-      throw SyntaxError(file_, number, 1, "the line is longer than 10,000 bytes");
+      throw SyntaxError(file_, number, 1, "the line is longer than " + grouped(longest_line) + " bytes");
+    std::size_t plain = line.size();
     for (std::size_t i = 0; i < line.size();) {
       const std::size_t next = is_control(line[i]) ? 0 : after_character(line, i);
       if (next == 0)
         throw SyntaxError(file_, number, characters(line.substr(0, i)) + 1,
                           "this is not a text file (UTF-8): it has the byte " + in_hexadecimal(line[i]));
+      if (next > i + 1) plain = std::min(plain, i);
       i = next;
     }
     lines_.emplace_back(line);
+    plain_.push_back(plain);
     begin = end + 1;
   }
-  if (lines_.empty()) lines_.emplace_back();
+  if (lines_.empty()) {
+    lines_.emplace_back();
+    plain_.push_back(0);
+  }
 }
 
 Place Source::place(int line, std::size_t byte) const {
+  if (byte <= plain_[line - 1]) return {line, static_cast<int>(byte) + 1};
   return {line, characters(std::string_view(lines_[line - 1]).substr(0, byte)) + 1};
 }
 

@@ -30,6 +30,7 @@ class Source {
  private:
   std::string file_;
   std::vector<std::string> lines_;
+  std::vector<std::size_t> plain_;  ///< of each line, how many bytes at its beginning are one character each
 };
 
 }  // namespace shortfall

@@ -12,7 +12,6 @@ namespace shortfall {
 namespace {
 
 constexpr std::size_t kShown = 40;
-constexpr int kMostPlaces = 10'000;
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
@@ -64,6 +63,8 @@ std::optional<int> decimal_places(std::string_view text) {
 
 /// What is wrong with numbers in an entry, before the language reads it; "" when nothing is.
 std::string TableauEntryReader::complaint(const std::string& text) const {
+  if (std::ranges::count(text, '(') > std::ranges::count(text, ')'))
+    return "'" + shortened(text) + "' has a ( that is not closed";
   for (std::size_t i = 0; i < text.size();) {
     if (text[i] == '#') return "'#' does not belong into a coefficient";
     if (text[i] == '.' && !(i + 1 < text.size() && is_digit(text[i + 1])))
@@ -88,6 +89,8 @@ std::string TableauEntryReader::complaint(const std::string& text) const {
     if (end < text.size() && text[end] == '.' && !(end + 1 < text.size() && is_digit(text[end + 1])))
       return "the number '" + shortened(text.substr(i, length) + ".") + "' ends in a point; did you mean " +
              shortened(kept) + "?";
+    if (end < text.size() && (text[end] == '(' || std::string_view(text).substr(end).starts_with("sqrt")))
+      return "a product is written with *: " + shortened(kept + "*" + text.substr(end));
     if (end < text.size() && (is_letter(text[end]) || text[end] == '.'))
       return "'" + shortened(text) + "' is not a number; did you mean " + shortened(kept) + "?";
     i = end;
@@ -107,8 +110,6 @@ std::optional<int> TableauEntryReader::places(const TableauEntry& entry) const {
 }
 
 void TableauEntryReader::approximate(TableauEntry& entry, const std::string& name) {
-  if (*entry.digits > kMostPlaces)
-    throw source_.error(entry.place, "a decimal has at most 10,000 digits after its point");
   const std::string decimal = entry.exact->decimal(*entry.digits);
   const auto [found, is_new] = names_.try_emplace(decimal, name);
   if (is_new) approximations_.push_back({name, Rational::parse(decimal), decimal, entry.place});
@@ -121,7 +122,8 @@ TableauEntry TableauEntryReader::entry(const JsonValue& value, const std::string
                                          value.described());
   if (!value.plain) throw source_.error(value.place, "a coefficient is written without \\");
   TableauEntry entry;
-  entry.place = source_.place(value.place.line, value.byte);
+  entry.place = value.place;
+  if (value.kind == JsonValue::Kind::string) ++entry.place.column;
   entry.text = value.text;
   const auto blank = [](char c) { return c == ' ' || c == '\t'; };
   const auto first = std::ranges::find_if_not(entry.text, blank);

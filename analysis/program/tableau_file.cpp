@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <span>
+#include <ranges>
 
 #include "analysis/program/check.hpp"
 #include "analysis/program/file_text.hpp"
@@ -21,7 +21,7 @@ namespace {
 
 constexpr std::size_t kMostStages = 64;
 constexpr std::size_t kLongestName = 80;
-constexpr std::size_t kLongestLine = 1'000'000;  // programs write JSON on a single line
+constexpr std::size_t kLongestLine = 100'000;  // programs write JSON on a single line
 constexpr int kMostDigits = 1000;
 
 const std::vector<std::string>& keys() {
@@ -49,6 +49,13 @@ std::string as_name(std::string_view text) {
   while (result.ends_with('-') || result.size() > kLongestName) result.pop_back();
   if (!result.empty() && std::isdigit(static_cast<unsigned char>(result[0]))) result = "method-" + result;
   return result;
+}
+
+/// Without blanks at its ends; nor does a description begin with the sign of a comment.
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of("# \t");
+  if (begin == std::string::npos) return "";
+  return text.substr(begin, text.find_last_not_of(" \t") + 1 - begin);
 }
 
 std::string stem(const std::string& path) {
@@ -129,15 +136,16 @@ class TableauReader {
   std::string text(const JsonValue& value, const std::string& what) const {
     if (value.kind != JsonValue::Kind::string)
       throw source_.error(value.place, "expected a text for " + what + ", found " + value.described());
-    return value.text;
+    return trimmed(value.text);
   }
 
   std::vector<std::string> texts(const std::string& key) const {
     const JsonValue* value = whole_.find(key);
     if (!value) return {};
-    if (value->kind != JsonValue::Kind::array) return {text(*value, key)};
     std::vector<std::string> all;
+    if (value->kind != JsonValue::Kind::array) all.push_back(text(*value, key));
     for (const JsonValue& item : value->items) all.push_back(text(item, key));
+    std::erase(all, "");
     return all;
   }
 
@@ -210,34 +218,43 @@ class TableauReader {
     return result;
   }
 
+  /// Refuses the first row that does not fit into the form that most rows have: full, or a lower or strictly
+  /// lower triangle.
+  void check_lengths(const JsonValue& value, const std::string& what) const {
+    const auto wanted = [&](int form, std::size_t i) { return form == 0 ? stages_ : form == 1 ? i + 1 : i; };
+    std::array<std::size_t, 3> fitting{};
+    for (int form = 0; form < 3; ++form)
+      for (std::size_t i = 0; i < stages_; ++i)
+        fitting[form] += value.items[i].items.size() == wanted(form, i);
+    const int form = static_cast<int>(std::ranges::max_element(fitting) - fitting.begin());
+    static constexpr std::array<const char*, 3> kForms{"a full row", "that row of a lower triangle",
+                                                       "that row of a strictly lower triangle"};
+    for (std::size_t i = 0; i < stages_; ++i)
+      if (value.items[i].items.size() != wanted(form, i))
+        throw source_.error(value.items[i].place,
+                            "row " + std::to_string(i + 1) + " of " + what + " has " +
+                                counted(value.items[i].items.size(), "entry", "entries") + "; " +
+                                kForms[form] + " has " + std::to_string(wanted(form, i)));
+  }
+
   /// A full matrix; or a lower or strictly lower triangle, of the latter also without its first, empty row.
   std::vector<std::vector<TableauEntry>> square(const JsonValue& value, const std::string& what,
                                                 TableauEntryReader& entries) const {
     const std::size_t rows = list(value, what).items.size();
-    const bool without_first = rows + 1 == stages_;
+    for (const JsonValue& item : value.items) list(item, "a row of " + what);
+    std::vector<std::size_t> lengths;
+    for (const JsonValue& item : value.items) lengths.push_back(item.items.size());
+    const bool without_first =
+        rows + 1 == stages_ && std::ranges::equal(lengths, std::views::iota(std::size_t{1}, stages_));
     if (rows != stages_ && !without_first)
       throw source_.error(value.place, what + " has " + counted(rows, "row", "rows") + ", but b has " +
                                            counted(stages_, "entry", "entries"));
-    for (const JsonValue& item : value.items) list(item, "a row of " + what);
-    const auto fits = [&](std::size_t first) {
-      for (std::size_t i = 0; i < rows; ++i)
-        if (value.items[i].items.size() != i + first) return false;
-      return true;
-    };
-    const bool triangle = fits(without_first ? 1 : 0) || (!without_first && fits(1));
+    if (!without_first) check_lengths(value, what);
     std::vector<std::vector<TableauEntry>> result;
     if (without_first) result.emplace_back();
     for (std::size_t i = 0; i < rows; ++i) {
       const JsonValue& line = value.items[i];
       const std::size_t number = result.size() + 1;
-      if (!triangle && line.items.size() != stages_)
-        throw source_.error(
-            line.place,
-            "row " + std::to_string(number) + " of " + what + " has " +
-                counted(line.items.size(), "entry", "entries") + ", but b has " + std::to_string(stages_) +
-                (line.items.size() < stages_
-                     ? "; rows are full, or those of a lower triangle (0, 1, 2, ... or 1, 2, 3, ... entries)"
-                     : ""));
       result.emplace_back();
       for (const JsonValue& item : line.items)
         result.back().push_back(entries.entry(item, (file_.nystroem ? "abar" : "a") + std::to_string(number) +
@@ -276,6 +293,12 @@ class TableauReader {
     const JsonValue* value = whole_.find(key);
     if (!value) return;
     const int most = static_cast<int>(2 * stages_);
+    std::int64_t n = 0;
+    if (value->kind == JsonValue::Kind::number && value->text.size() < 9 &&
+        Rational::parse(value->text).fits_int64(n) && n > kHighestClaimedOrder)
+      throw source_.error(value->place, key + " is at most " + std::to_string(kHighestClaimedOrder) +
+                                            ", of which there are 12,826,228 conditions already; found " +
+                                            value->text);
     claim = {whole_number(*value, key, from, kHighestClaimedOrder), value->place};
     if (claim->value > most)
       throw source_.error(value->place, "no method with " + counted(stages_, "stage", "stages") +

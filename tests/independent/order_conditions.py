@@ -154,6 +154,9 @@ def filled(rows, stages):
     """Rows of A from any of the forms in which a triangular one may be given."""
     if len(rows) == stages - 1:
         rows = [[]] + rows
+    lengths = [len(row) for row in rows]
+    if lengths not in ([stages] * stages, list(range(stages)), list(range(1, stages + 1))):
+        raise Wrong(f"the rows of A have {lengths} entries, b has {stages}")
     return [row + ["0"] * (stages - len(row)) for row in rows]
 
 
@@ -168,6 +171,8 @@ class Tableau:
         for key in ("bhat", "bbar", "bbarhat", "c"):
             if key in data:
                 table[key] = [data[key]]
+                if len(data[key]) != stages:
+                    raise Wrong(f"{key} has {len(data[key])} entries, b has {stages}")
         read = {key: [[entry(e, decimals, data.get("digits")) for e in row] for row in rows] for key, rows in table.items()}
         entries = [e for rows in read.values() for row in rows for e in row]
         self.exact = all(e[0] is not None and not e[2] for e in entries)

@@ -4,7 +4,10 @@ find_program(SHORTFALL_PYTHON3 python3)
 if(SHORTFALL_PYTHON3)
   add_test(NAME independent_catalogue
     COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/catalogue.py" "${PROJECT_SOURCE_DIR}/integrators")
-  set_tests_properties(independent_catalogue PROPERTIES LABELS independent)
+  # The order conditions of the bank of published methods, from the textbook.
+  add_test(NAME independent_order_conditions
+    COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/order_conditions.py" "${PROJECT_SOURCE_DIR}/tests/data/methods")
+  set_tests_properties(independent_catalogue independent_order_conditions PROPERTIES LABELS independent)
 else()
-  message(STATUS "python3 is not installed: the test independent_catalogue is left out")
+  message(STATUS "python3 is not installed: the tests of tests/independent are left out")
 endif()
