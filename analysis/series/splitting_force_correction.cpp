@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/series/splitting_force_correction.hpp"
+
+#include <utility>
+
+#include "analysis/algebra/algebraic.hpp"
+#include "analysis/algebra/linear_solve.hpp"
+#include "analysis/algebra/row_echelon.hpp"
+#include "analysis/algebra/word_series.hpp"
+
+namespace shortfall {
+
+std::vector<int> position_only_kicks(int degree) {
+  const LieQuotient& quotient = LieQuotient::of(VectorFields::mechanical, degree);
+  const auto words = LyndonBasis::up_to(degree).words(degree);
+  std::vector<int> result;
+  for (std::size_t k = 0; k < quotient.basis(degree).size(); ++k) {
+    const Word w = words[static_cast<std::size_t>(quotient.basis(degree)[k])];
+    if (w.count_b() == w.count_a() + 1) result.push_back(static_cast<int>(k));
+  }
+  return result;
+}
+
+namespace {
+
+/// The conditions of a degree as they see the kicks of that degree.
+std::vector<std::vector<Rational>> conditions_on_kicks(int degree) {
+  const HomologicalEquation& equation = HomologicalEquation::of(VectorFields::mechanical, degree);
+  const std::vector<int> kicks = position_only_kicks(degree);
+  std::vector<std::vector<Rational>> matrix;
+  for (const std::vector<Rational>& condition : equation.obstructions()) {
+    std::vector<Rational>& row = matrix.emplace_back();
+    for (const int k : kicks) row.push_back(condition[static_cast<std::size_t>(k)]);
+  }
+  return matrix;
+}
+
+/// Whether the conditions of each degree below this one determine the kicks of that degree.
+bool kicks_are_determined(int below) {
+  for (int degree = 2; degree < below; ++degree) {
+    const std::size_t kicks = position_only_kicks(degree).size();
+    if (row_echelon(conditions_on_kicks(degree), kicks).rank() < static_cast<int>(kicks)) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+template <class Field>
+LieElement<Field> splitting_logarithm(const SplittingParts<Field>& parts, const LieElement<Field>& kick) {
+  WordSeries<Field> product(kick.degree());
+  for (const SplittingPart<Field>& p : parts) {
+    if (p.kick)
+      product = product * exp(p.weight * kick);
+    else
+      product.multiply_by_exponential(false, p.weight);
+  }
+  return log(product);
+}
+
+template <class Field>
+ForceCorrection<Field> force_correction(const SplittingParts<Field>& parts, int degree) {
+  constexpr VectorFields kKind = VectorFields::mechanical;
+  LieElement<Field> kick = LieElement<Field>::b(degree);
+  for (;;) {
+    Processing<Field> now = processing(splitting_logarithm(parts, kick), kKind);
+    if (!now.obstruction) return {std::move(kick), std::move(now), {}};
+    const int n = now.obstruction->degree;
+    const std::vector<int> kicks = position_only_kicks(n);
+    const auto& functionals = now.obstruction->functionals;
+    // A kick of degree n, whatever the weights, enters L_n with their sum, which is 1 for a consistent step.
+    const std::vector<std::vector<Rational>> matrix = conditions_on_kicks(n);
+    std::vector<std::vector<Field>> left;
+    std::vector<Field> right;
+    for (std::size_t r = 0; r < functionals.size(); ++r) {
+      left.emplace_back(matrix[r].begin(), matrix[r].end());
+      right.push_back(-now.obstruction->values[r]);
+    }
+    const LinearSolution<Field> found = solve_linear(left, right);
+    if (found.solution) {
+      const LieQuotient& quotient = LieQuotient::of(kKind, degree);
+      for (std::size_t k = 0; k < kicks.size(); ++k)
+        kick.at(n, quotient.basis(n)[static_cast<std::size_t>(kicks[k])]) += (*found.solution)[k];
+      continue;
+    }
+    Field residual(0);
+    for (std::size_t r = 0; r < functionals.size(); ++r)
+      residual += found.certificate[r] * now.obstruction->values[r];
+    typename ForceCorrection<Field>::Limit limit{n,
+                                                 static_cast<int>(functionals.size()),
+                                                 static_cast<int>(kicks.size()),
+                                                 found.certificate,
+                                                 std::move(residual),
+                                                 kicks_are_determined(n)};
+    return {std::move(kick), std::move(now), std::move(limit)};
+  }
+}
+
+#define SHORTFALL_INSTANTIATE(Field)                                                                      \
+  template LieElement<Field> splitting_logarithm(const SplittingParts<Field>&, const LieElement<Field>&); \
+  template ForceCorrection<Field> force_correction(const SplittingParts<Field>&, int);
+SHORTFALL_INSTANTIATE(Rational)
+SHORTFALL_INSTANTIATE(Algebraic)
+#undef SHORTFALL_INSTANTIATE
+
+}  // namespace shortfall
