@@ -36,10 +36,10 @@ struct SymplecticCorrector {
 /// 131, 2294
 SymplecticCorrector symplectic_corrector(int stages, const Rational& alpha_squared = Rational(7, 40));
 
-/// The stages of the corrector that is known by a number, the power of h in eps O(h^number): 3, 5, 7, 11 and
-/// 17 have 1, 2, 3, 5 and 8.
+/// The stages of the corrector that is known by a number: the published ones, 3, 5, 7, 11 and 17, have 1, 2,
+/// 3, 5 and 8.
 ///
-/// throws  BadInput  for another number
+/// throws  BadInput  for a number that is not odd, or not from 3 to 61
 int corrector_stages(int number);
 
 }  // namespace shortfall

@@ -59,11 +59,11 @@ LieElement<Field> splitting_logarithm(const SplittingParts<Field>& parts, const 
 }
 
 template <class Field>
-ForceCorrection<Field> force_correction(const SplittingParts<Field>& parts, int degree) {
+SplittingForceCorrection<Field> splitting_force_correction(const SplittingParts<Field>& parts, int degree) {
   constexpr VectorFields kKind = VectorFields::mechanical;
   LieElement<Field> kick = LieElement<Field>::b(degree);
   for (;;) {
-    Processing<Field> now = processing(splitting_logarithm(parts, kick), kKind);
+    SplittingProcessing<Field> now = splitting_processing(splitting_logarithm(parts, kick), kKind);
     if (!now.obstruction) return {std::move(kick), std::move(now), {}};
     const int n = now.obstruction->degree;
     const std::vector<int> kicks = position_only_kicks(n);
@@ -86,19 +86,19 @@ ForceCorrection<Field> force_correction(const SplittingParts<Field>& parts, int 
     Field residual(0);
     for (std::size_t r = 0; r < functionals.size(); ++r)
       residual += found.certificate[r] * now.obstruction->values[r];
-    typename ForceCorrection<Field>::Limit limit{n,
-                                                 static_cast<int>(functionals.size()),
-                                                 static_cast<int>(kicks.size()),
-                                                 found.certificate,
-                                                 std::move(residual),
-                                                 kicks_are_determined(n)};
+    typename SplittingForceCorrection<Field>::Limit limit{n,
+                                                          static_cast<int>(functionals.size()),
+                                                          static_cast<int>(kicks.size()),
+                                                          found.certificate,
+                                                          std::move(residual),
+                                                          kicks_are_determined(n)};
     return {std::move(kick), std::move(now), std::move(limit)};
   }
 }
 
 #define SHORTFALL_INSTANTIATE(Field)                                                                      \
   template LieElement<Field> splitting_logarithm(const SplittingParts<Field>&, const LieElement<Field>&); \
-  template ForceCorrection<Field> force_correction(const SplittingParts<Field>&, int);
+  template SplittingForceCorrection<Field> splitting_force_correction(const SplittingParts<Field>&, int);
 SHORTFALL_INSTANTIATE(Rational)
 SHORTFALL_INSTANTIATE(Algebraic)
 #undef SHORTFALL_INSTANTIATE

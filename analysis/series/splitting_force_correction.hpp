@@ -16,9 +16,9 @@ namespace shortfall {
 /// The brackets that are kicks again have one drift less than they have kicks: [[A,B],B] is -2 a_x[a], so
 /// that B - 1/24 h^2 [[A,B],B] stands for a + h^2/12 a_x[a].
 template <class Field>
-struct ForceCorrection {
+struct SplittingForceCorrection {
   LieElement<Field> kick;  ///< B + ..., in place of B
-  Processing<Field> processing;
+  SplittingProcessing<Field> processing;
   /// Where it stopped: that degree's conditions, and how many kicks were free to meet them.
   struct Limit {
     int degree = 0;
@@ -46,6 +46,6 @@ LieElement<Field> splitting_logarithm(const SplittingParts<Field>& parts, const 
 /// source  Takahashi & Imada (1984), Monte Carlo calculation of quantum systems II; Rowlands (1991), A
 /// numerical algorithm for Hamiltonian systems
 template <class Field>
-ForceCorrection<Field> force_correction(const SplittingParts<Field>& parts, int degree);
+SplittingForceCorrection<Field> splitting_force_correction(const SplittingParts<Field>& parts, int degree);
 
 }  // namespace shortfall

@@ -33,11 +33,11 @@ int splitting_order(const LieElement<Field>& logarithm, VectorFields kind) {
 }
 
 template <class Field>
-Processing<Field> processing(const LieElement<Field>& logarithm, VectorFields kind) {
+SplittingProcessing<Field> splitting_processing(const LieElement<Field>& logarithm, VectorFields kind) {
   const int degree = logarithm.degree();
   const LieQuotient& quotient = LieQuotient::of(kind, degree);
   LieElement<Field> now = quotient.normal_form(logarithm);
-  Processing<Field> result{kind, now, splitting_order(now, kind), 0, {}, now, {}};
+  SplittingProcessing<Field> result{kind, now, splitting_order(now, kind), 0, {}, now, {}};
   if (result.order == 0) return result;
   result.effective_order = 1;
   for (int n = 2; n <= degree; ++n) {
@@ -48,7 +48,7 @@ Processing<Field> processing(const LieElement<Field>& logarithm, VectorFields ki
     if (!all_vanish(values)) {
       for (Field& v : values) v = -v;  // of L_n itself
       const auto functionals = equation.obstructions();
-      result.obstruction = ProcessingObstruction<Field>{
+      result.obstruction = SplittingObstruction<Field>{
           n, std::vector<std::vector<Rational>>(functionals.begin(), functionals.end()), std::move(values)};
       break;
     }
@@ -63,16 +63,16 @@ Processing<Field> processing(const LieElement<Field>& logarithm, VectorFields ki
 }
 
 template <class Field>
-LieElement<Field> corrector_logarithm(const Processing<Field>& result) {
+LieElement<Field> corrector_logarithm(const SplittingProcessing<Field>& result) {
   WordSeries<Field> product(result.logarithm.degree());
   for (std::size_t k = result.corrections.size(); k-- > 0;) product = product * exp(result.corrections[k]);
   return LieQuotient::of(result.kind, product.degree()).normal_form(log(product));
 }
 
-#define SHORTFALL_INSTANTIATE(Field)                                             \
-  template int splitting_order(const LieElement<Field>&, VectorFields);          \
-  template Processing<Field> processing(const LieElement<Field>&, VectorFields); \
-  template LieElement<Field> corrector_logarithm(const Processing<Field>&);
+#define SHORTFALL_INSTANTIATE(Field)                                                                \
+  template int splitting_order(const LieElement<Field>&, VectorFields);                             \
+  template SplittingProcessing<Field> splitting_processing(const LieElement<Field>&, VectorFields); \
+  template LieElement<Field> corrector_logarithm(const SplittingProcessing<Field>&);
 SHORTFALL_INSTANTIATE(Rational)
 SHORTFALL_INSTANTIATE(Algebraic)
 SHORTFALL_INSTANTIATE(Surd)

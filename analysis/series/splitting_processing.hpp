@@ -14,7 +14,7 @@ namespace shortfall {
 /// Why no launch and read-out takes a method further: linear functionals that every bracket with A + B has 0,
 /// and that this method has not.
 template <class Field>
-struct ProcessingObstruction {
+struct SplittingObstruction {
   int degree = 0;
   /// Whole numbers, in the coordinates of the quotient's basis of that degree.
   std::vector<std::vector<Rational>> functionals;
@@ -26,7 +26,7 @@ struct ProcessingObstruction {
 ///
 /// All elements are classes of the quotient in its normal form, h being 1.
 template <class Field>
-struct Processing {
+struct SplittingProcessing {
   VectorFields kind = VectorFields::any;
   LieElement<Field> logarithm;  ///< L
   /// The order of the step alone: L = A + B up to this degree; 0 when it is not consistent.
@@ -36,8 +36,8 @@ struct Processing {
   /// c_1, c_2, ..., each of its degree alone: P = exp(c_(p-1)) ... exp(c_2) exp(c_1), leftmost applied first.
   /// c_1 is without A: it moves velocities only.
   std::vector<LieElement<Field>> corrections;
-  LieElement<Field> processed;                              ///< the logarithm of P exp(L) P^-1
-  std::optional<ProcessingObstruction<Field>> obstruction;  ///< none when the last degree was reached
+  LieElement<Field> processed;                             ///< the logarithm of P exp(L) P^-1
+  std::optional<SplittingObstruction<Field>> obstruction;  ///< none when the last degree was reached
 };
 
 /// Looks for P degree by degree: c_(n-1) from [c_(n-1), A + B] = -L_n, then L = exp(ad c_(n-1)) L.
@@ -49,11 +49,11 @@ struct Processing {
 /// numerical integration of ordinary differential equations by processed methods, SIAM Journal on Numerical
 /// Analysis 42
 template <class Field>
-Processing<Field> processing(const LieElement<Field>& logarithm, VectorFields kind);
+SplittingProcessing<Field> splitting_processing(const LieElement<Field>& logarithm, VectorFields kind);
 
 /// The logarithm of P.
 template <class Field>
-LieElement<Field> corrector_logarithm(const Processing<Field>& result);
+LieElement<Field> corrector_logarithm(const SplittingProcessing<Field>& result);
 
 /// The highest degree up to which the logarithm is A + B in the quotient; 0 when not even in degree 1.
 template <class Field>

@@ -63,7 +63,7 @@ std::optional<int> zero_to_digits(const LieElement<Field>& logarithm, int order)
 
 template <class Field>
 SplittingClass described(const LieElement<Field>& logarithm, VectorFields kind, const Writer& write) {
-  const Processing<Field> found = processing(logarithm, kind);
+  const SplittingProcessing<Field> found = splitting_processing(logarithm, kind);
   SplittingClass result;
   result.kind = kind;
   result.modified = terms(found.logarithm, write);
@@ -71,7 +71,8 @@ SplittingClass described(const LieElement<Field>& logarithm, VectorFields kind, 
   result.order_is_exact = found.order < logarithm.degree();
   result.effective_order = found.effective_order;
   result.effective_order_is_exact = found.order == 0 || found.obstruction.has_value();
-  if (found.order > 0) result.zero_to_digits = zero_to_digits(found.processed, found.effective_order);
+  result.zero_to_digits = zero_to_digits(found.logarithm, found.order);
+  result.effective_zero_to_digits = zero_to_digits(found.processed, found.effective_order);
   for (const LieElement<Field>& c : found.corrections) result.corrections.push_back(terms(c, write));
   result.corrector = terms(corrector_logarithm(found), write);
   if (!found.obstruction) return result;

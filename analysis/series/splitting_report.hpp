@@ -38,10 +38,11 @@ struct SplittingClass {
   bool order_is_exact = false;  ///< the next order's error was found; otherwise the order is this or more
   int effective_order = 0;      ///< that of launch, steps, read-out
   bool effective_order_is_exact = false;
-  /// When numbers are known to digits only: to so many digits after the point the error terms below the
-  /// orders are 0, at least.
+  /// When numbers are known to digits only: to so many digits after the point, at least, all error terms
+  /// below the order are 0; the same for the processed method, whose terms lose some.
   std::optional<int> zero_to_digits;
-  std::vector<std::vector<BracketTerm>> corrections;  ///< c_1, c_2, ...; see Processing
+  std::optional<int> effective_zero_to_digits;
+  std::vector<std::vector<BracketTerm>> corrections;  ///< c_1, c_2, ...; see SplittingProcessing
   std::vector<BracketTerm> corrector;                 ///< the logarithm of P, the launch
   struct Obstruction {
     std::vector<BracketTerm> functional;  ///< whole numbers: which coefficients are added up
