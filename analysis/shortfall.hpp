@@ -26,4 +26,6 @@
 #include "analysis/program/print.hpp"
 #include "analysis/program/run.hpp"
 #include "analysis/program/transform.hpp"
+#include "analysis/series/splitting_corrector.hpp"
+#include "analysis/series/splitting_report.hpp"
 #include "analysis/stability/stability.hpp"
