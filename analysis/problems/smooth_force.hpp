@@ -76,12 +76,16 @@ class SmoothForce {
   std::function<K(const Rational&)> round;         ///< how an exact number becomes a K
   std::shared_ptr<ExtraLetters> extras = nullptr;  ///< for K = Fraction
   int root_digits = 0;                             ///< for numbers that round
+  /// The force that the step is given instead of a: the part with a at the root of this series. Null for a
+  /// itself.
+  const TreeSeries<K>* given = nullptr;
 
   /// param   table  of a mechanical signature; it must outlive the problem
   explicit SmoothForce(const TreeTable& table);
 
   /// Trees of a higher order are left out, from here on.
   void set_order(int order) {
+    order_ = order;
     entries_ = 2 + ranks_up_to_[order];
     free_entry_ = entries_;
   }
@@ -134,7 +138,12 @@ class SmoothForce {
     std::int8_t multiplicity;
   };
 
+  void check_near(const Vector& x, const Vector& v) const;
+  K argument(TreeId tree, const Vector& x, const Vector& v, const Scalar& t) const;
+  Vector acceleration_given(const Vector& x, const Vector& v, const Scalar& t) const;
+
   const TreeTable& table_;
+  int order_ = 0;
   bool reads_velocity_;
   std::size_t entries_ = 2;     ///< of a vector
   std::size_t free_entry_ = 2;  ///< one that no vector has

@@ -37,12 +37,19 @@ SmoothForce<K>::SmoothForce(const TreeTable& table)
 }
 
 template <class K>
+void SmoothForce<K>::check_near(const Vector& x, const Vector& v) const {
+  if (!vanishes(x[0] - K(1)))
+    throw Unable("the step evaluates the force at a position that is not near x");
+  if ((reads_velocity_ || given) && (!vanishes(v[0]) || !vanishes(v[1] - K(1))))
+    throw Unable("the step evaluates the force at a velocity that is not near v");
+}
+
+template <class K>
 Differentials<K> SmoothForce<K>::acceleration(const Vector& x, const Vector& v, const Scalar& t) const {
   Vector result;
   if (entries_ == 2) return result;
-  if (!vanishes(x[0] - K(1))) throw Unable("the step evaluates the force at a position that is not near x");
-  if (reads_velocity_ && (!vanishes(v[0]) || !vanishes(v[1] - K(1))))
-    throw Unable("the step evaluates the force at a velocity that is not near v");
+  check_near(x, v);
+  if (given) return acceleration_given(x, v, t);
   result.c.assign(entries_, K(0));
   for (std::size_t r = 0; r + 2 < entries_; ++r) {
     const Graft& g = grafts_[r];
@@ -56,6 +63,38 @@ Differentials<K> SmoothForce<K>::acceleration(const Vector& x, const Vector& v, 
     if (vanishes(child)) continue;
     result.c[2 + r] = rest * child;
     if (g.multiplicity > 1) result.c[2 + r] /= K(static_cast<int>(g.multiplicity));
+  }
+  return result;
+}
+
+/// What the map from (x, v, t) to the arguments of the force has at a tree.
+template <class K>
+K SmoothForce<K>::argument(TreeId tree, const Vector& x, const Vector& v, const Scalar& t) const {
+  if (table_.function(tree) == 2) return t;
+  if (table_.function(tree) == 0) return round(table_.symmetry(tree)) * v[2 + rank(tree)];
+  if (table_.is_node(tree)) return x[1];
+  return round(table_.symmetry(table_.right(tree))) * x[2 + rank(table_.right(tree))];
+}
+
+/// The place of evaluation is a map near the identity; the force there is the force transported along its
+/// logarithm.
+template <class K>
+Differentials<K> SmoothForce<K>::acceleration_given(const Vector& x, const Vector& v, const Scalar& t) const {
+  Vector result;
+  result.c.assign(entries_, K(0));
+  TreeSeries<K> logarithm(table_.size(), K(0));
+  LieIteration<K> flow(table_), force(table_);
+  for (TreeId tree = 0; tree < table_.end(order_); ++tree) {
+    const K map = argument(tree, x, v, t);
+    if (table_.function(tree) == 0) {
+      K value = (*given)[tree] + force.transport(tree, logarithm);
+      force.settle(tree, (*given)[tree]);
+      if (!vanishes(value)) result.c[2 + rank(tree)] = value / round(table_.symmetry(tree));
+    } else {
+      force.transport(tree, logarithm);
+    }
+    logarithm[tree] = map - flow.flow(tree, logarithm);
+    flow.settle(tree, logarithm[tree]);
   }
   return result;
 }

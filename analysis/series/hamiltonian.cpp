@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/series/hamiltonian.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/series/differential.hpp"
+
+namespace shortfall {
+
+namespace {
+
+constexpr int kForce = 0, kDrift = 1;
+
+/// Trees with the force at the root that are one free tree, seen from different roots.
+class FreeTrees {
+ public:
+  FreeTrees(const TreeTable& table, int order) : table_(table), begin_(table.begin(order)) {
+    parent_.resize(static_cast<std::size_t>(table.end(order) - begin_));
+    std::iota(parent_.begin(), parent_.end(), begin_);
+    for (TreeId t = begin_; t < table.end(order); ++t)
+      if (table.function(t) == kForce)
+        for (TreeId other : neighbours(t)) join(t, other);
+  }
+
+  TreeId representative(TreeId t) {
+    TreeId& p = parent_[static_cast<std::size_t>(t - begin_)];
+    return p == t ? t : p = representative(p);
+  }
+
+  /// The same tree with the root moved over a drift node to the next force.
+  std::vector<TreeId> neighbours(TreeId t) const {
+    std::vector<TreeId> result;
+    const std::vector<TreeId> children = table_.children(t);
+    for (std::size_t i = 0; i < children.size(); ++i) {
+      if (table_.function(children[i]) != kDrift || table_.is_node(children[i])) continue;
+      if (i > 0 && children[i] == children[i - 1]) continue;
+      // What remains at the old root hangs from the new one.
+      TreeId rest = table_.node(kForce);
+      for (std::size_t j = children.size(); j-- > 0;)
+        if (j != i) rest = table_.product(rest, children[j]);
+      result.push_back(table_.product(table_.right(children[i]), table_.product(table_.node(kDrift), rest)));
+    }
+    return result;
+  }
+
+ private:
+  void join(TreeId a, TreeId b) {
+    a = representative(a);
+    b = representative(b);
+    parent_[static_cast<std::size_t>(std::max(a, b) - begin_)] = std::min(a, b);
+  }
+  const TreeTable& table_;
+  TreeId begin_;
+  std::vector<TreeId> parent_;
+};
+
+/// How many forces a tree has.
+int forces_in(const TreeTable& table, TreeId t) {
+  int count = table.function(t) == kForce ? 1 : 0;
+  for (TreeId c : table.children(t)) count += forces_in(table, c);
+  return count;
+}
+
+/// The derivative of V that a node with so many children is, the root's own index counted or not.
+std::string derivative(std::size_t by_space, std::size_t by_time, bool latex) {
+  std::string text = "V";
+  if (by_space <= 3)
+    text += std::string(by_space, '\'');
+  else
+    text += (latex ? "^{(" : "^(") + std::to_string(by_space) + (latex ? ")}" : ")");
+  if (by_time > 0) text += (latex ? "_{" : "_") + std::string(by_time, 't') + (latex ? "}" : "");
+  return text;
+}
+
+struct Parts {
+  std::vector<TreeId> space;
+  std::size_t time = 0;
+};
+
+Parts parts(const TreeTable& table, TreeId t) {
+  Parts p;
+  std::vector<TreeId> children = table.children(t);
+  std::ranges::reverse(children);
+  for (TreeId c : children)
+    if (table.component(c) == 2)
+      ++p.time;
+    else
+      p.space.push_back(c);
+  return p;
+}
+
+/// The vector that a child of a node is: v, or a gradient of V with the signs taken out.
+std::string vector_text(const TreeTable& table, TreeId child, bool latex) {
+  if (table.is_node(child)) return "v";
+  const Parts p = parts(table, table.right(child));
+  std::string text = derivative(p.space.size() + 1, p.time, latex);
+  if (p.space.empty()) return text;
+  if (p.space.size() == 1) return text + " " + vector_text(table, p.space[0], latex);
+  text += "(";
+  for (std::size_t i = 0; i < p.space.size(); ++i)
+    text += (i > 0 ? ", " : "") + vector_text(table, p.space[i], latex);
+  return text + ")";
+}
+
+std::string contraction(const TreeTable& table, TreeId t, bool latex) {
+  const Parts p = parts(table, t);
+  std::string text = derivative(p.space.size(), p.time, latex);
+  if (p.space.empty()) return text;
+  if (p.space.size() == 1) return text + " " + vector_text(table, p.space[0], latex);
+  text += "(";
+  for (std::size_t i = 0; i < p.space.size(); ++i)
+    text += (i > 0 ? ", " : "") + vector_text(table, p.space[i], latex);
+  return text + ")";
+}
+
+void count_factors(const TreeTable& table, TreeId t, bool root, std::vector<int>& factors) {
+  const auto add = [&](std::size_t index) {
+    if (factors.size() <= index) factors.resize(index + 1);
+    ++factors[index];
+  };
+  const Parts p = parts(table, t);
+  add(p.space.size() + (root ? 0 : 1));
+  for (TreeId c : p.space)
+    if (table.is_node(c))
+      add(0);
+    else
+      count_factors(table, table.right(c), false, factors);
+}
+
+}  // namespace
+
+template <class K>
+ModifiedHamiltonian hamiltonian(const SeriesSource& source, const TreeTable& table,
+                                const TreeSeries<K>& field) {
+  ModifiedHamiltonian result;
+  result.order = table.order();
+  const TreeId drift = table.node(kDrift);
+  for (int n = 2; n <= table.order(); ++n) {
+    FreeTrees free(table, n);
+    const auto fails = [&](TreeId a, TreeId b, const Fraction& difference) {
+      if (source.zero(difference)) return false;
+      result.obstruction = "the coefficients of " + differential(table, a) + " (in " +
+                           table.signature().components[table.component(a)] + "') and " +
+                           differential(table, b) + " (in " +
+                           table.signature().components[table.component(b)] +
+                           "') do not belong to one Hamiltonian: " + tree_text(table, a) + " and " +
+                           tree_text(table, b) + " are one free tree";
+      result.obstructed_at = n - 1;
+      return true;
+    };
+    for (TreeId t = table.begin(n); t < table.end(n); ++t) {
+      if (table.function(t) == kForce) {
+        const TreeId r = free.representative(t);
+        if (fails(r, t, Fraction(field[t]) - Fraction(field[r]))) return result;
+      } else if (table.function(t) == kDrift) {
+        // Rooted at an end v: the coefficient has the other sign.
+        const TreeId partner = table.product(table.right(t), drift);
+        if (fails(partner, t, Fraction(field[t]) + Fraction(field[partner]))) return result;
+      }
+    }
+    // One term for each free tree; the root with most children is the one that is written.
+    for (TreeId r = table.begin(n); r < table.end(n); ++r) {
+      if (table.function(r) != kForce || free.representative(r) != r || vanishes(field[r])) continue;
+      Rational roots;  // |Aut| times this is the number of forces: an orbit has |Aut| / sigma elements
+      TreeId best = r;
+      for (TreeId t = r; t < table.end(n); ++t) {
+        if (table.function(t) != kForce || free.representative(t) != r) continue;
+        roots += Rational(1) / table.symmetry(t);
+        if (table.children(t).size() > table.children(best).size()) best = t;
+      }
+      const int forces = forces_in(table, r);
+      const Rational automorphisms = Rational(forces) / roots;
+      Fraction coefficient = Fraction(field[r]) / Fraction(automorphisms);
+      if (forces % 2 == 0) coefficient = -coefficient;
+      EnergyTerm term{n - 1, contraction(table, best, false), contraction(table, best, true), {}, coefficient};
+      if (table.signature().components.size() == 2) count_factors(table, best, true, term.in_one_dimension);
+      result.terms.push_back(std::move(term));
+    }
+  }
+  return result;
+}
+
+template ModifiedHamiltonian hamiltonian(const SeriesSource&, const TreeTable&, const TreeSeries<Rational>&);
+template ModifiedHamiltonian hamiltonian(const SeriesSource&, const TreeTable&, const TreeSeries<Fraction>&);
+
+ModifiedHamiltonian modified_hamiltonian(const SeriesSource& source, int order, const OrderLimits& limits) {
+  const TreeTable table(Signature::mechanical(false, false), order, limits.most_bytes);
+  return with_coefficients(source, [&]<class K>() {
+    return hamiltonian<K>(source, table, source.step<K>(table).field);
+  });
+}
+
+}  // namespace shortfall
