@@ -162,7 +162,7 @@ ButcherTableau<K> SeriesSource::tableau() const {
 }
 
 template <class K>
-OneStep<K> SeriesSource::step(const TreeTable& table) const {
+OneStep<K> SeriesSource::step(const TreeTable& table, const TreeSeries<K>* force) const {
   const Signature& s = table.signature();
   if (s == Signature::first_order() || s == Signature::first_order_with_time()) {
     OneStep<K> result;
@@ -174,12 +174,13 @@ OneStep<K> SeriesSource::step(const TreeTable& table) const {
   }
   SmoothForce<K> problem(table);
   if constexpr (std::is_same_v<K, Fraction>) problem.extras = extras_;
+  problem.given = force;
   return one_step<K>(tape_, problem, table);
 }
 
 template ButcherTableau<Rational> SeriesSource::tableau() const;
 template ButcherTableau<Fraction> SeriesSource::tableau() const;
-template OneStep<Rational> SeriesSource::step(const TreeTable&) const;
-template OneStep<Fraction> SeriesSource::step(const TreeTable&) const;
+template OneStep<Rational> SeriesSource::step(const TreeTable&, const TreeSeries<Rational>*) const;
+template OneStep<Fraction> SeriesSource::step(const TreeTable&, const TreeSeries<Fraction>*) const;
 
 }  // namespace shortfall

@@ -49,8 +49,10 @@ class SeriesSource {
   ButcherTableau<K> tableau() const;
 
   /// The step in the trees of a table: mechanical signatures by running it, others by its tableau.
+  ///
+  /// param   force  what the step is given instead of a (mechanical signatures only); null for a itself
   template <class K>
-  OneStep<K> step(const TreeTable& table) const;
+  OneStep<K> step(const TreeTable& table, const TreeSeries<K>* force = nullptr) const;
 
  private:
   Rational approximate(const Fraction& coefficient) const;
