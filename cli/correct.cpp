@@ -9,6 +9,7 @@
 #include "analysis/program/print.hpp"
 #include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
+#include "cli/correct_general.hpp"
 #include "cli/force.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
@@ -69,7 +70,9 @@ int correct_linear(const Question& q, const Program& program, const Force& force
   return kit.exists && no_numbers.empty() ? kDone : kNotDerivable;
 }
 
-int correct(const Question& q) {
+int correct(const Question& q, int order) {
+  if (is_force_class(q.force)) return correct_general(q, order);
+  if (order != 0) throw BadInput("--order goes with --force general and other classes of forces");
   const Program program = q.program();
   const Force force = with_own_equation(force_named(q.force), program, q.values());
   if (force.linear()) return correct_linear(q, program, force);
@@ -95,10 +98,12 @@ void add_correct(CLI::App& app, int& code) {
       "The correction kit alone: what to add to launch, read-out, force or step.",
       {"correct symplectic-euler --force constant", "correct symplectic-euler --force constant --lang csharp",
        "correct rapier --height 1.7 --lang rust", "correct explicit-euler --force poly:2 --json",
-       "correct rk4 --force spring:k=4 --dt 1/10"});
+       "correct rk4 --force spring:k=4 --dt 1/10", "correct symplectic-euler --force general",
+       "correct velocity-verlet --force general --order 4"});
   auto q = std::make_shared<Question>();
   auto language = std::make_shared<std::string>();
   auto height = std::make_shared<std::string>();
+  auto order = std::make_shared<int>(0);
   add_integrator(*command, *q);
   add_force(*command, *q);
   add_parameters(*command, *q);
@@ -111,16 +116,23 @@ void add_correct(CLI::App& app, int& code) {
       ->add_option("--height", *height,
                    "with --lang: the height to which the printed code jumps when it checks itself")
       ->type_name("H");
+  command
+      ->add_option(
+          "--order", *order,
+          "with --force general: the effective order that is wanted, by launch and read-out, or with a "
+          "corrected force")
+      ->type_name("P")
+      ->check(CLI::Range(2, 10));
   add_time_step(*command, *q);
   add_gravity(*command, *q);
   add_json(*command, *q);
   add_ascii(*command, *q);
   add_output(*command, *q);
-  command->callback([q, language, height, &code] {
+  command->callback([q, language, height, order, &code] {
     if (language->empty() && !height->empty())
       throw BadInput("--height goes with --lang; how high a jump gets is told by: shortfall jump");
     if (language->empty())
-      code = correct(*q);
+      code = correct(*q, *order);
     else
       write_output(as_code(*q, *language, *height), q->output);
   });

@@ -6,7 +6,8 @@
 
 namespace shortfall {
 
-Conjugation::Conjugation(const TreeTable& table, int order, std::vector<TreeId> free) : free_(std::move(free)) {
+Conjugation::Conjugation(const TreeTable& table, int order, std::vector<TreeId> free)
+    : free_(std::move(free)) {
   const auto is_clock = [&](TreeId t) { return table.signature().components[table.component(t)] == "t"; };
   for (const bool others : {false, true})
     for (TreeId t = table.begin(order - 1); t < table.end(order - 1); ++t)

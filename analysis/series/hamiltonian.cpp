@@ -174,7 +174,8 @@ ModifiedHamiltonian hamiltonian(const SeriesSource& source, const TreeTable& tab
       const Rational automorphisms = Rational(forces) / roots;
       Fraction coefficient = Fraction(field[r]) / Fraction(automorphisms);
       if (forces % 2 == 0) coefficient = -coefficient;
-      EnergyTerm term{n - 1, contraction(table, best, false), contraction(table, best, true), {}, coefficient};
+      EnergyTerm term{
+          n - 1, contraction(table, best, false), contraction(table, best, true), {}, coefficient};
       if (table.signature().components.size() == 2) count_factors(table, best, true, term.in_one_dimension);
       result.terms.push_back(std::move(term));
     }
@@ -187,9 +188,8 @@ template ModifiedHamiltonian hamiltonian(const SeriesSource&, const TreeTable&, 
 
 ModifiedHamiltonian modified_hamiltonian(const SeriesSource& source, int order, const OrderLimits& limits) {
   const TreeTable table(Signature::mechanical(false, false), order, limits.most_bytes);
-  return with_coefficients(source, [&]<class K>() {
-    return hamiltonian<K>(source, table, source.step<K>(table).field);
-  });
+  return with_coefficients(
+      source, [&]<class K>() { return hamiltonian<K>(source, table, source.step<K>(table).field); });
 }
 
 }  // namespace shortfall

@@ -26,7 +26,7 @@ struct EnergyTerm {
 /// A field is Hamiltonian if and only if its coefficients agree, up to sign, at all roots of a free tree.
 /// Source: Hairer, Lubich & Wanner (2006), IX.9.3 and IX.10.
 struct ModifiedHamiltonian {
-  int order = 0;  ///< terms up to h^(order - 1)
+  int order = 0;                  ///< terms up to h^(order - 1)
   std::vector<EnergyTerm> terms;  ///< without v^2/2 + V
   /// The first tree where there is none; empty when there is one.
   std::string obstruction;
@@ -39,9 +39,11 @@ struct ModifiedHamiltonian {
 ///
 /// param   field  of the modified equation, sigma-normalised (OneStep::field)
 template <class K>
-ModifiedHamiltonian hamiltonian(const SeriesSource& source, const TreeTable& table, const TreeSeries<K>& field);
+ModifiedHamiltonian hamiltonian(const SeriesSource& source, const TreeTable& table,
+                                const TreeSeries<K>& field);
 
 /// That of a step, for a(x), up to trees of an order.
-ModifiedHamiltonian modified_hamiltonian(const SeriesSource& source, int order, const OrderLimits& limits = {});
+ModifiedHamiltonian modified_hamiltonian(const SeriesSource& source, int order,
+                                         const OrderLimits& limits = {});
 
 }  // namespace shortfall

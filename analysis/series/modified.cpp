@@ -21,9 +21,11 @@ ModifiedEquation about(const SeriesSource& source, const ForceClass* forces, int
   return m;
 }
 
-TreeTable table_for(const SeriesSource& source, const ForceClass* forces, int order, const OrderLimits& limits) {
+TreeTable table_for(const SeriesSource& source, const ForceClass* forces, int order,
+                    const OrderLimits& limits) {
   if (!forces && !source.has_tableau())
-    throw Unable(source.program().name + " is not written as a tableau: its step is one for x'' = a(x, v, t)");
+    throw Unable(source.program().name +
+                 " is not written as a tableau: its step is one for x'' = a(x, v, t)");
   return {forces ? forces->signature : Signature::first_order(), order, limits.most_bytes};
 }
 
@@ -34,11 +36,11 @@ void put_terms(const SeriesSource& source, const TreeTable& table, const TreeSer
   m.trees = static_cast<std::size_t>(table.size());
   for (TreeId t = 0; t < table.size(); ++t) {
     if (vanishes(field[t])) continue;
+    const std::string& component = table.signature().components[table.component(t)];
+    if (component == "t") continue;
     const Fraction b(field[t]);
     sum += b;
     if (source.zero(b)) continue;
-    const std::string& component = table.signature().components[table.component(t)];
-    if (component == "t") continue;
     m.terms.push_back({component, table.order(t) - 1, tree_text(table, t), differential(table, t),
                        differential(table, t, true), b / Fraction(table.symmetry(t))});
   }
@@ -74,8 +76,7 @@ ModifiedEquation modified_equation(const SeriesSource& source, const ForceClass*
                                    const OrderLimits& limits) {
   ModifiedEquation m = about(source, forces, order);
   const TreeTable table = table_for(source, forces, order, limits);
-  with_coefficients(source,
-                    [&]<class K>() { put_terms<K>(source, table, source.step<K>(table).field, m); });
+  with_coefficients(source, [&]<class K>() { put_terms<K>(source, table, source.step<K>(table).field, m); });
   return m;
 }
 

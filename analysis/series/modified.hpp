@@ -21,8 +21,8 @@ struct FieldTerm {
 /// The equation that a step really solves (backward error analysis), or the equation that it has to be given
 /// so that it solves the right one (a modifying integrator).
 ///
-/// Sources: Hairer, Lubich & Wanner (2006), IX; Chartier, Hairer & Vilmart (2007), Numerical integrators based
-/// on modified differential equations, Mathematics of Computation 76.
+/// Sources: Hairer, Lubich & Wanner (2006), IX; Chartier, Hairer & Vilmart (2007), Numerical integrators
+/// based on modified differential equations, Mathematics of Computation 76.
 struct ModifiedEquation {
   std::string integrator;
   const ForceClass* forces = nullptr;  ///< null for y' = f(y)

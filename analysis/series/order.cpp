@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/program/suggest.hpp"
 #include "analysis/series/differential.hpp"
 
 namespace shortfall {
@@ -66,10 +67,21 @@ const std::vector<ForceClass>& force_classes() {
   return classes;
 }
 
-const ForceClass& force_class(const std::string& key) {
-  for (const ForceClass& c : force_classes())
-    if (c.key == key) return c;
-  throw BadInput("no class of forces is called '" + key + "'");
+const ForceClass& force_class(const std::string& word) {
+  std::string notation;
+  for (char c : word)
+    if (c != ' ') notation += c == '-' && word.find('(') == std::string::npos ? '_' : c;
+  std::vector<std::string> words;
+  for (const ForceClass& c : force_classes()) {
+    std::string theirs = c.force;
+    std::erase(theirs, ' ');
+    if (c.key == notation || theirs == notation) return c;
+    words.push_back(c.key);
+    words.push_back(theirs);
+  }
+  throw BadInput("no class of forces is called '" + word.substr(0, 60) + "'" + did_you_mean(word, words) +
+                 "; there are general, velocity_independent, autonomous, position_only, linear, time_only, "
+                 "or a(x, v, t), a(x, t), a(x, v), a(x), a(t)");
 }
 
 const OrderOfClass& Order::of(const std::string& key) const {

@@ -20,7 +20,10 @@ struct ForceClass {
 
 /// general, velocity-independent, autonomous, of the position alone, linear, of the time alone.
 const std::vector<ForceClass>& force_classes();
-const ForceClass& force_class(const std::string& key);
+/// By its key or its notation: "velocity_independent", "a(x, t)", "a(x,t)".
+///
+/// throws  BadInput  for another word, with a suggestion
+const ForceClass& force_class(const std::string& word);
 
 /// A tree whose coefficient is not that of the exact flow.
 struct ErrorTerm {

@@ -29,6 +29,25 @@ std::vector<TreeId> forces_of_position(const TreeTable& table, int order) {
   return result;
 }
 
+/// What the first obstructions are, in words; the later ones have no names.
+std::string name_of(int n, const std::vector<FieldTerm>& residual) {
+  const auto is = [&](std::initializer_list<const char*> differentials) {
+    return residual.size() == differentials.size() && std::ranges::all_of(residual, [&](const FieldTerm& t) {
+             return t.coefficient == residual[0].coefficient &&
+                    std::ranges::find(differentials, t.differential) != differentials.end();
+           });
+  };
+  if (n == 2 && is({"a_x v", "a"}))
+    return "the volume of phase space grows or shrinks with every step (under a spring, the energy), and no "
+           "change of variables alters that";
+  if (n == 2 && is({"a_v a"})) return "the force is given a velocity of another moment than its own";
+  if (n == 3 && is({"a_x a", "a_x v"}))
+    return "the commutators [A,[A,B]] and [[A,B],B] of drift A and kick B: a launch moves one into the "
+           "other, "
+           "and their sum stays";
+  return "a combination of error coefficients that no launch changes";
+}
+
 template <class K>
 class Processor {
  public:
@@ -38,15 +57,31 @@ class Processor {
   /// Goes on to an order, from the beginning; false when it cannot.
   bool run(const TreeTable& table) {
     table_ = &table;
+    result_.proved = source_.digits() == 0;
     force_ = the_equation<K>(table);
     generators_.clear();
-    field_ = source_.step<K>(table, &force_).field;
+    const OneStep<K> step = source_.step<K>(table, &force_);
+    field_ = step.field;
     result_.plain_order = plain_order();
+    start_order_ = table.order();
+    for (TreeId t = table.size(); t-- > 0;)
+      if (!source_.zero(Fraction(step.start[t]))) start_order_ = table.order(t);
+    result_.plain_order = std::min(result_.plain_order, start_order_);
     for (int n = 2; n <= table.order(); ++n) {
       if (!remove_order(n)) return false;
       result_.effective_order = n;
     }
     return true;
+  }
+
+  /// What the integrator's own start gets wrong stays.
+  void heed_start() {
+    if (start_order_ >= result_.effective_order) return;
+    result_.notes.push_back("the integrator's own start is of order " + std::to_string(start_order_) +
+                            " only: started better, its effective order would be " +
+                            std::to_string(result_.effective_order));
+    result_.effective_order = start_order_;
+    result_.complete = false;
   }
 
   void put_result() {
@@ -71,35 +106,30 @@ class Processor {
   }
 
   bool remove_order(int n) {
-    const Conjugation system(*table_, n,
-                             question_.correct_force ? forces_of_position(*table_, n) : std::vector<TreeId>{});
+    const Conjugation system(
+        *table_, n, question_.correct_force ? forces_of_position(*table_, n) : std::vector<TreeId>{});
     std::vector<K> right;
-    bool nothing = true;
-    for (TreeId t : system.equations()) {
+    for (TreeId t : system.equations())
       right.push_back(source_.zero(Fraction(field_[t])) ? K(0) : K(0) - field_[t]);
-      nothing = nothing && vanishes(right.back());
-    }
     TreeSeries<K> c(table_->size(), K(0));
-    if (!nothing) {
-      const LinearSolution<K> found = system.template solved<K>(right);
-      if (!found.solution) {
-        obstruct(n, system, found.certificate, right);
-        return false;
+    const LinearSolution<K> found = system.template solved<K>(right);
+    if (!found.solution) {
+      obstruct(n, system, found.certificate, right);
+      return false;
+    }
+    const std::vector<K>& solution = *found.solution;
+    note_choices(n, found.free_unknowns.size());
+    const std::size_t unknowns = system.unknowns().size();
+    for (std::size_t i = 0; i < unknowns; ++i) c[system.unknowns()[i]] = solution[i];
+    bool forced = false;
+    for (std::size_t i = 0; i < system.free().size(); ++i)
+      if (!vanishes(solution[unknowns + i])) {
+        force_[system.free()[i]] += solution[unknowns + i];
+        forced = true;
       }
-      const std::vector<K>& solution = *found.solution;
-      const std::size_t unknowns = system.unknowns().size();
-      for (std::size_t i = 0; i < unknowns; ++i) c[system.unknowns()[i]] = solution[i];
-      bool forced = false;
-      for (std::size_t i = 0; i < system.free().size(); ++i)
-        if (!vanishes(solution[unknowns + i])) {
-          // The equations have [c, F] + free = -L: the free part is taken off the force's tree.
-          force_[system.free()[i]] += K(0) - (K(0) - solution[unknowns + i]);
-          forced = true;
-        }
-      if (forced) {
-        field_ = source_.step<K>(*table_, &force_).field;
-        for (const TreeSeries<K>& earlier : generators_) field_ = conjugated(*table_, earlier, field_);
-      }
+    if (forced) {
+      field_ = source_.step<K>(*table_, &force_).field;
+      for (const TreeSeries<K>& earlier : generators_) field_ = conjugated(*table_, earlier, field_);
     }
     generators_.push_back(c);
     field_ = conjugated(*table_, c, field_);
@@ -109,7 +139,14 @@ class Processor {
     return true;
   }
 
-  void obstruct(int n, const Conjugation& system, const std::vector<K>& certificate, const std::vector<K>& right) {
+  /// Of order 2 the solution is unique up to a shift of time, which commutes with the flow that is aimed at.
+  /// Where more is left open, another choice might go further, and where it stops is no proof.
+  void note_choices(int n, std::size_t free) {
+    if (free > (n == 2 ? 1u : 0u)) result_.proved = false;
+  }
+
+  void obstruct(int n, const Conjugation& system, const std::vector<K>& certificate,
+                const std::vector<K>& right) {
     Fraction value;
     TreeSeries<K> weights(table_->size(), K(0));
     for (std::size_t i = 0; i < certificate.size(); ++i) {
@@ -123,7 +160,8 @@ class Processor {
         result_.residual.push_back(std::move(term));
       }
     result_.residual_value = value;
-    result_.obstruction = "no launch removes the errors of order h^" + std::to_string(n) + " (per step)";
+    result_.obstructed_at = n;
+    result_.obstruction = name_of(n, result_.residual);
   }
 
   TreeSeries<K> launch() const {
@@ -152,6 +190,7 @@ class Processor {
   const ProcessingQuestion& question_;
   Processing& result_;
   const TreeTable* table_ = nullptr;
+  int start_order_ = 0;
   TreeSeries<K> force_, field_;
   std::vector<TreeSeries<K>> generators_;
 };
@@ -171,6 +210,7 @@ Processing processing(const SeriesSource& source, const ProcessingQuestion& ques
     result.effective_order = 1;
     result.complete = processor.run(table);
     if (result.plain_order == 0) throw Undefined("the step is not consistent: it is of no order");
+    processor.heed_start();
     processor.put_result();
   });
   return result;

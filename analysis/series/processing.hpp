@@ -12,9 +12,9 @@ namespace shortfall {
 /// What may be done to a step besides a launch and a read-out.
 struct ProcessingQuestion {
   const ForceClass* forces = nullptr;
-  int order = 0;              ///< the effective order that is wanted; 0: as high as it goes
+  int order = 0;               ///< the effective order that is wanted; 0: as high as it goes
   bool correct_force = false;  ///< the step may be given another force, of the position alone
-  int highest = 6;            ///< for order 0
+  int highest = 6;             ///< for order 0
   OrderLimits limits;
 };
 
@@ -27,19 +27,23 @@ struct ProcessingQuestion {
 ///
 /// Sources: Butcher (1969), The effective order of Runge-Kutta methods; Blanes, Casas & Murua (2004), On the
 /// numerical integration of ordinary differential equations by processed methods, SIAM J. Numer. Anal. 42;
-/// Rowlands (1991), A numerical algorithm for Hamiltonian systems, J. Comput. Phys. 97 (the force a + h^2/12 a_x a).
+/// Rowlands (1991), A numerical algorithm for Hamiltonian systems, J. Comput. Phys. 97 (the force a + h^2/12
+/// a_x a).
 struct Processing {
   std::string integrator;
   const ForceClass* forces = nullptr;
-  int plain_order = 0;      ///< of the step by itself
-  int effective_order = 0;  ///< with launch and read-out (and the force)
-  bool complete = false;    ///< as far as was asked; otherwise the obstruction says why not
-  std::vector<FieldTerm> force;     ///< what is added to a; power of h as in a + h^2/12 a_x a
-  std::vector<FieldTerm> launch;    ///< what is added to x0 and v0; h^power includes the step: order of the tree
-  std::vector<FieldTerm> read_out;  ///< what is added to x_n and v_n
+  int plain_order = 0;           ///< of the step by itself
+  int effective_order = 0;       ///< with launch and read-out (and the force)
+  bool complete = false;         ///< as far as was asked; otherwise the obstruction says why not
+  bool proved = true;  ///< exact, and nothing was left open that could have been chosen in another way
+  std::vector<FieldTerm> force;  ///< what is added to a; power of h as in a + h^2/12 a_x a
+  std::vector<FieldTerm>
+      launch;  ///< what is added to x0 and v0; h^power includes the step: order of the tree
+  std::vector<FieldTerm> read_out;    ///< what is added to x_n and v_n
   std::vector<FieldTerm> generators;  ///< the c_k
   /// Where it stops: a sentence, and the linear combination of error coefficients that no launch changes.
   std::string obstruction;
+  int obstructed_at = 0;            ///< the order that is not reached
   std::vector<FieldTerm> residual;  ///< a certificate: weights of tree coefficients of the modified equation
   Fraction residual_value;          ///< what they add up to; not 0
   int digits = 0;
