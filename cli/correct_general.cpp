@@ -71,7 +71,8 @@ int correct_general(const Question& q, int order) {
   std::vector<Answer> answers;
   for (const ForceClass* forces : classes) {
     Answer a = answered(program, q.values(), source, *forces, order);
-    // A narrower class is worth a word when more is possible for it, or when another reason stands in the way.
+    // A narrower class is worth a word when more is possible for it, or when another reason stands in the
+    // way.
     if (!answers.empty() && a.found.effective_order <= answers.back().found.effective_order &&
         same_obstruction(a.found, answers.back().found))
       continue;

@@ -67,8 +67,8 @@ Real drift(const std::string& integrator, int order, const Rational& h) {
   const auto [x0, v0] = run.read_out();
   run.step();
   const auto [x1, v1] = run.read_out();
-  return abs(
-      Real(energy(hamiltonian, source, rounded(h), x1, v1) - energy(hamiltonian, source, rounded(h), x0, v0)));
+  return abs(Real(energy(hamiltonian, source, rounded(h), x1, v1) -
+                  energy(hamiltonian, source, rounded(h), x0, v0)));
 }
 
 }  // namespace
