@@ -76,6 +76,9 @@ class SmoothForce {
   std::function<K(const Rational&)> round;         ///< how an exact number becomes a K
   std::shared_ptr<ExtraLetters> extras = nullptr;  ///< for K = Fraction
   int root_digits = 0;                             ///< for numbers that round
+  /// Coefficients that stand for others are known to this only: what is smaller is taken for zero where the
+  /// step has to be consistent.
+  Rational tolerance = 0;
   /// The force that the step is given instead of a: the part with a at the root of this series. Null for a
   /// itself.
   const TreeSeries<K>* given = nullptr;

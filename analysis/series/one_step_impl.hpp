@@ -149,17 +149,20 @@ class Analysis {
         for (std::size_t k = 0; k < b.size(); ++k) result[i][j] += a[i][k] * b[k][j];
     return result;
   }
-  static bool equal(const Matrix<K>& a, const Matrix<K>& b) {
+  bool equal(const Matrix<K>& a, const Matrix<K>& b) const {
     for (std::size_t i = 0; i < a.size(); ++i)
       for (std::size_t j = 0; j < a[i].size(); ++j)
         if (!negligible(a[i][j] - b[i][j])) return false;
     return true;
   }
-  static bool negligible(const K& k) {
-    if constexpr (requires { abs(k) < 1e-12; })
-      return abs(k) < 1e-12;
+  bool negligible(const K& k) const {
+    if (vanishes(k)) return true;
+    if constexpr (std::is_same_v<K, Rational>)
+      return k.abs() < problem_.tolerance;
+    else if constexpr (requires { k.is_constant(); })
+      return k.is_constant() && k.constant().abs() < problem_.tolerance;
     else
-      return vanishes(k);
+      return false;
   }
 
   void run_plain() {

@@ -61,9 +61,13 @@ void check_scales(const Program& program, const Values& given, const Step& step)
   }
 }
 
-bool is_rational(const Tape& tape, const TreeTable& table) {
+/// What numbers printed to so many digits cannot tell from zero; two digits are allowed for what a sum loses.
+Rational tolerance(int digits) { return digits > 2 ? Rational(1) / Rational(10).pow(digits - 2) : Rational(); }
+
+bool is_rational(const Tape& tape, const TreeTable& table, int digits) {
   try {
     SmoothForce<Rational> problem(table);
+    problem.tolerance = tolerance(digits);
     one_step<Rational>(tape, problem, table);
   } catch (const Undefined&) {
     throw;
@@ -81,7 +85,7 @@ SeriesSource::SeriesSource(const Program& program, const Values& given) : progra
   values_ = without_own_damping(program_, given, notes_);
   tape_ = lower(program_, values_);
   const TreeTable table(Signature::mechanical(true, true), 2);
-  if (!is_rational(tape_, table)) {
+  if (!is_rational(tape_, table, digits())) {
     field_ = std::make_unique<NumberField>();
     extras_ = std::make_shared<ExtraLetters>(letter_names(tape_));
     step<Fraction>(table);  // says what it cannot do, and finds the roots
@@ -92,6 +96,7 @@ SeriesSource::SeriesSource(const Program& program, const Values& given) : progra
     const auto map = [&](const Values& values) {
       SmoothForce<Fraction> problem(table);
       problem.extras = extras_;
+      problem.tolerance = tolerance(digits());
       return one_step<Fraction>(lower(program_, values), problem, table).map;
     };
     return map(one) == map(other);
@@ -175,6 +180,7 @@ OneStep<K> SeriesSource::step(const TreeTable& table, const TreeSeries<K>* force
   SmoothForce<K> problem(table);
   if constexpr (std::is_same_v<K, Fraction>) problem.extras = extras_;
   problem.given = force;
+  problem.tolerance = tolerance(digits());
   return one_step<K>(tape_, problem, table);
 }
 
