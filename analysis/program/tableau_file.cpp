@@ -24,14 +24,6 @@ constexpr std::size_t kLongestName = 80;
 constexpr std::size_t kLongestLine = 100'000;  // programs write JSON on a single line
 constexpr int kMostDigits = 1000;
 
-const std::vector<std::string>& keys() {
-  static const std::vector<std::string> all{
-      "name", "description", "kind",       "alias",     "source",   "A",       "Abar",  "b",
-      "bbar", "bhat",        "bbarhat",    "c",         "decimals", "digits",  "order", "embedded_order",
-      "note", "stage_order", "symplectic", "symmetric", "A-stable", "L-stable"};
-  return all;
-}
-
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
@@ -68,7 +60,7 @@ class TableauReader {
   TableauReader(const Source& source, const JsonValue& whole) : source_(source), whole_(whole) {}
 
   TableauFile read() {
-    refuse_unknown_keys();
+    refuse_unknown_tableau_keys();
     read_kind();
     read_names();
     TableauEntryReader entries(source_, decimals(), digits());
@@ -98,16 +90,16 @@ class TableauReader {
   }
 
  private:
-  void refuse_unknown_keys() const {
+  void refuse_unknown_tableau_keys() const {
     if (whole_.kind != JsonValue::Kind::object)
       throw source_.error(
           whole_.place,
           R"(a tableau file is one object, {"A": [..], "b": [..], "c": [..]}; found )" + whole_.described());
     for (const auto& [key, value] : whole_.members) {
       const std::string& word = key.text;
-      if (std::ranges::find(keys(), word) != keys().end()) continue;
+      if (std::ranges::find(tableau_keys(), word) != tableau_keys().end()) continue;
       // A single letter is near to every other one.
-      const std::string near = word.size() > 1 ? nearest(word, keys())
+      const std::string near = word.size() > 1 ? nearest(word, tableau_keys())
                                : word == "a"   ? "A"
                                : word == "B"   ? "b"
                                : word == "C"   ? "c"
@@ -360,6 +352,14 @@ class TableauReader {
 };
 
 }  // namespace
+
+const std::vector<std::string>& tableau_keys() {
+  static const std::vector<std::string> all{
+      "name", "description", "kind",       "alias",     "source",   "A",       "Abar",  "b",
+      "bbar", "bhat",        "bbarhat",    "c",         "decimals", "digits",  "order", "embedded_order",
+      "note", "stage_order", "symplectic", "symmetric", "A-stable", "L-stable"};
+  return all;
+}
 
 TableauFile parse_tableau(std::string_view text, const std::string& file) {
   const Source source(file, text, kLongestLine);

@@ -66,6 +66,9 @@ struct TableauFile {
 /// The highest order that may be claimed: 20 has 12,826,228 conditions of its own.
 inline constexpr int kHighestClaimedOrder = 20;
 
+/// What the members of a tableau file may be called.
+const std::vector<std::string>& tableau_keys();
+
 /// The tableau that a JSON text describes; see docs/tableau.md.
 ///
 /// param   file  the name that messages show

@@ -7,7 +7,10 @@ if(SHORTFALL_PYTHON3)
   # The order conditions of the bank of published methods, from the textbook.
   add_test(NAME independent_order_conditions
     COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/order_conditions.py" "${PROJECT_SOURCE_DIR}/tests/data/methods")
-  set_tests_properties(independent_catalogue independent_order_conditions PROPERTIES LABELS independent)
+  # The planted misprints are wrong as they stand and right with their mends.
+  add_test(NAME independent_misprints
+    COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/misprints.py" "${PROJECT_SOURCE_DIR}/tests/data/misprints")
+  set_tests_properties(independent_catalogue independent_order_conditions independent_misprints PROPERTIES LABELS independent)
 else()
   message(STATUS "python3 is not installed: the tests of tests/independent are left out")
 endif()
