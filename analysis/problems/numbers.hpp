@@ -137,7 +137,7 @@ struct Numbers {
       for (std::size_t p = 0; p < count; ++p) {
         std::size_t best = p;
         for (std::size_t row = p + 1; row < count; ++row)
-          if (size(matrix[row][p]) > size(matrix[best][p])) best = row;
+          if (size(matrix[best][p]) < size(matrix[row][p])) best = row;
         if (matrix[best][p] == number(0)) throw singular;
         std::swap(matrix[best], matrix[p]);
         std::swap(right[best], right[p]);

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "analysis/floating/float_format.hpp"
+#include "analysis/motion/force.hpp"
+#include "analysis/program/program.hpp"
+#include "analysis/program/tape.hpp"
+
+namespace shortfall {
+
+/// What a floating-point number is: an exact rational, or none.
+struct FloatNumber {
+  enum class Kind { finite, infinite, not_a_number };
+  Kind kind = Kind::finite;
+  Rational value;  ///< when finite; otherwise 1 or -1 for the sign of an infinity
+
+  bool is_finite() const { return kind == Kind::finite; }
+  /// Like the number, or "infinity", "-infinity", "NaN".
+  std::string str(int digits) const;
+};
+
+/// What a step is run with. All numbers are those that are meant; the run rounds each once, as a program that
+/// stores them does.
+struct FloatQuestion {
+  Program program;
+  Values parameters;
+  int substeps = 1;
+  Force force;  ///< with numbers; the step's arithmetic is f0 + t (f1 + t (...)) - k x - c v, left to right
+  Rational h;
+  Rational x0;
+  Rational v0;
+};
+
+/// A step run in some arithmetic, operation by operation.
+class FloatRun {
+ public:
+  virtual ~FloatRun() = default;
+  /// Back to x0, v0.
+  virtual void begin() = 0;
+  virtual void step() = 0;
+  /// Position and velocity as reported now.
+  virtual std::pair<FloatNumber, FloatNumber> state() = 0;
+  /// The same as binary64, rounded: for figures and searches.
+  virtual std::pair<double, double> rough() = 0;
+};
+
+/// throws  BadInput  for a letter of the force without a number;  Undefined  when a stage is singular
+std::unique_ptr<FloatRun> float_run(const FloatFormat& format, const FloatQuestion& question);
+
+/// The same question with every number as the format stores it: h, x0, v0, the force, parameters, and numbers
+/// in the step that are no fractions of whole numbers. What is left between its exact answer and the run is
+/// rounding.
+///
+/// throws  Unable  when a number is infinite in the format
+FloatQuestion stored(const FloatQuestion& question, const FloatFormat& format);
+
+}  // namespace shortfall
