@@ -13,13 +13,27 @@ namespace {
 
 constexpr int kHighestDegree = 30;
 
+/// Whether all numbers in it are so small that coefficients known to some digits explain them; two digits are
+/// allowed for how strongly a result depends on them.
+bool is_below_digits(const Sequence& s, int digits) {
+  if (digits <= 2 || !s.is_polynomial() || !s.polynomial().is_polynomial()) return false;
+  const Rational allowed = Rational(1) / Rational(10).pow(digits - 2);
+  return std::ranges::all_of(s.polynomial().numerator().terms(),
+                             [&](const Polynomial::Term& t) { return t.coefficient.abs() < allowed; });
+}
+
 /// An inconsistent step lets even a free body move wrongly; then no amount of force repairs it.
 std::string free_motion_defect(const Derivation& d) {
   for (const auto& [motion, what] :
        {std::pair{&d.shortfall_position_motion, "position"}, {&d.shortfall_velocity_motion, "velocity"}})
-    for (int column : {0, 1})
-      if (!(*motion)[column].is_zero())
-        return std::string("the step is not consistent: even without a force the ") + what + " is wrong";
+    for (int column : {0, 1}) {
+      const Sequence& wrong = (*motion)[column];
+      if (wrong.is_zero()) continue;
+      if (is_below_digits(wrong, d.digits))
+        return std::string("the coefficients as they are printed move even a free body wrongly, its ") +
+               what + " by no more than their last digits";
+      return std::string("the step is not consistent: even without a force the ") + what + " is wrong";
+    }
   return "";
 }
 

@@ -225,6 +225,21 @@ TEST_CASE("an exact method needs nothing") {
   CHECK(kit_of("rk4", 3).needed);
 }
 
+TEST_CASE("decimals that do not quite add up are told from a step that is not consistent") {
+  const auto obstruction = [](const std::string& weight) {
+    const Program program = parse("integrator thirds\n  approx third = " + weight +
+                                      "\nstep\n  v = v + h*a(x, v, t)\n  x = x + 3*third*h*v\n",
+                                  "thirds");
+    return named(correction_kit(derivation(program, 0, {}, 1, false)), "launch").obstruction;
+  };
+  CHECK(obstruction("0.33333333")
+            .starts_with(
+                "the coefficients as they are printed move even a free body wrongly, its position by no more "
+                "than their last digits"));
+  CHECK(
+      obstruction("0.33333433").starts_with("the step is not consistent: even without a force the position"));
+}
+
 TEST_CASE("an inconsistent step is named as such") {
   const Program lame = parse("integrator lame\nstep\n  v = v + h*a(x, v, t)\n  x = x + 0.9*h*v\n", "lame");
   const CorrectionKit kit = correction_kit(derivation(lame, 0, {}, 1, false));
