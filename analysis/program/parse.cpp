@@ -22,9 +22,15 @@ const std::vector<std::string>& block_words() {
   return words;
 }
 const std::vector<std::string>& claim_words() {
-  static const std::vector<std::string> words{"exact", "shortfall",   "shortfall-velocity",
-                                              "trace", "determinant", "limit"};
+  static const std::vector<std::string> words{"exact", "shortfall",      "shortfall-velocity", "trace",     "determinant",
+                                              "limit", "order", "embedded-order", "symplectic",         "symmetric"};
   return words;
+}
+
+/// What a force may read, behind `order P if`.
+const std::vector<std::string>& force_notations() {
+  static const std::vector<std::string> notations{"a(x, v, t)", "a(x, t)", "a(x, v)", "a(x)", "a(t)"};
+  return notations;
 }
 
 constexpr std::size_t kLongestName = 80;
@@ -246,14 +252,45 @@ class FileParser {
     if (!is_one_of(first, claim_words()))
       throw error("unknown claim '" + first + "'" + did_you_mean(first, claim_words()) +
                   (nearest(first, claim_words()).empty()
-                       ? "; the claims are exact, shortfall, shortfall-velocity, trace, determinant, limit"
+                       ? "; the claims are exact, shortfall, shortfall-velocity, trace, determinant, limit, order, "
+                         "embedded-order, symplectic, symmetric"
                        : ""));
     const Place place = here();
     skip(first.size());
     TokenReader in = reader();
+    if (first == "symplectic" || first == "symmetric") {
+      in.expect_end("the claim");
+      program_.claims.push_back({first, nullptr, place});
+      return;
+    }
     if (in.at_end()) throw in.error("expected a value after '" + first + "', found the end of the line");
+    if (first == "order" || first == "embedded-order") return read_order(first, in, place);
     program_.claims.push_back({first, in.expression(), place});
     in.expect_end("the claim");
+  }
+
+  /// order 4, order 6 if a(x, t).
+  void read_order(const std::string& first, TokenReader& in, const Place& place) {
+    const auto number_read = in.signed_number("an order");
+    Claim claim{first, number(number_read.value, number_read.place), place};
+    if (!in.at_end()) {
+      if (in.peek().kind != Token::Kind::name || in.peek().text != "if")
+        throw in.error("expected 'if' and what the force may read, as in: " + first + " 4 if a(x, t); found " +
+                       in.found());
+      in.take();
+      const Place notation_place = in.peek().place;
+      std::string notation;
+      while (!in.at_end()) notation += in.take().text;
+      for (const std::string& known : force_notations()) {
+        std::string bare = known;
+        std::erase(bare, ' ');
+        if (bare == notation) claim.forces = known;
+      }
+      if (claim.forces.empty())
+        throw in.error(notation_place, "a force is said by what it reads: a(x, v, t), a(x, t), a(x, v), a(x) or a(t)" +
+                                           did_you_mean(notation, force_notations()));
+    }
+    program_.claims.push_back(std::move(claim));
   }
 
   const Source& source_;

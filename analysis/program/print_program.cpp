@@ -167,7 +167,7 @@ std::string print(const Program& p) {
                         : "\nstep\n" + statements(p.step, "  ");
   if (!p.finish.empty()) text += "\nfinish\n" + statements(p.finish, "  ");
   if (!p.claims.empty()) text += "\nexpect\n";
-  for (const Claim& claim : p.claims) text += "  " + claim.word + " " + print_decimals(claim.value) + "\n";
+  for (const Claim& claim : p.claims) text += "  " + claim.str() + "\n";
   return text;
 }
 
@@ -179,7 +179,8 @@ bool same(const Program& a, const Program& b) {
     return p.name == q.name && p.dimension == q.dimension;
   };
   const auto same_claim = [](const Claim& p, const Claim& q) {
-    return p.word == q.word && same(p.value, q.value);
+    return p.word == q.word && p.forces == q.forces && !p.value == !q.value &&
+           (!p.value || same(p.value, q.value));
   };
   return a.name == b.name && a.description == b.description && a.aliases == b.aliases &&
          a.sources == b.sources && std::ranges::equal(a.parameters, b.parameters, same_parameter) &&
@@ -187,6 +188,10 @@ bool same(const Program& a, const Program& b) {
          same_statements(a.step, b.step) && same_statements(a.finish, b.finish) &&
          same_tableaus(a.tableau, b.tableau) && same_splittings(a.splitting, b.splitting) &&
          same_declarations(a, b) && std::ranges::equal(a.claims, b.claims, same_claim);
+}
+
+std::string Claim::str() const {
+  return word + (value ? " " + print_decimals(value) : "") + (forces.empty() ? "" : " if " + forces);
 }
 
 }  // namespace shortfall

@@ -99,9 +99,13 @@ struct Splitting {
 
 /// What the author of an integrator claims about it; proved by a test, never believed.
 struct Claim {
-  std::string word;  ///< "exact", "shortfall", "shortfall-velocity"
-  Expr value;
+  std::string word;  ///< "exact", "shortfall", "trace", "order", "symplectic", ...
+  Expr value;        ///< null for words that stand alone
   Place place;
+  std::string forces{};  ///< of an order: what the force may read, "a(x, t)"; empty for every force
+
+  /// As it is written: "order 4 if a(x, t)".
+  std::string str() const;
 };
 
 /// An integrator, written down once.  What `parse` returns has been checked: sorts, dimensions, every name

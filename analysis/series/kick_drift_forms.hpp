@@ -61,7 +61,7 @@ class KickDriftForm {
     const KickDriftForm difference = *this - other;
     for (const Scalar& c : difference.columns_)
       for (const Field& f : c.coefficients())
-        if (!vanishes(f)) return false;
+        if (!zero_as_known(f)) return false;
     return true;
   }
 
@@ -98,7 +98,7 @@ struct KickDriftForms {
   Vector zero() const { return {}; }
   Vector acceleration(const Vector& x, const Vector&, const Scalar& t) {
     const Scalar late = t - x[1];
-    const bool in_time = std::ranges::all_of(late.coefficients(), [](const Field& f) { return vanishes(f); });
+    const bool in_time = std::ranges::all_of(late.coefficients(), [](const Field& f) { return zero_as_known(f); });
     for (std::size_t k = 0; k < evaluations.size(); ++k) {
       if (!evaluations[k].x.agrees(x)) continue;
       evaluations[k].in_time = evaluations[k].in_time && in_time;

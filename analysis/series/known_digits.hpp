@@ -11,8 +11,8 @@
 namespace shortfall {
 
 /// A number known to some digits: a published decimal that stands for another number, or what was computed
-/// from such. Holds as a field for series; "zero" means exactly 0, while `vanishes` means zero to the digits
-/// known.
+/// from such. Holds as a field for series; "zero" means exactly 0, while `zero_as_known` means zero to the
+/// digits known.
 ///
 /// Invariant: the true number lies in the ball, as long as the decimals that it came from agree with the true
 /// coefficients to their last digit.
@@ -54,9 +54,9 @@ class KnownDigits {
 
 /// Zero, or zero as far as the digits tell.
 template <class Field>
-bool vanishes(const Field& value) {
+bool zero_as_known(const Field& value) {
   return value.is_zero();
 }
-inline bool vanishes(const KnownDigits& value) { return value.contains_zero(); }
+inline bool zero_as_known(const KnownDigits& value) { return value.contains_zero(); }
 
 }  // namespace shortfall

@@ -18,7 +18,7 @@ template <class Field>
 Field only_power(const KickDriftForm<Field>& form, std::size_t column, int power, const char* what) {
   const auto s = form[column];
   for (int k = 0; k <= s.degree(); ++k)
-    if (k != power && !vanishes(s[k])) throw Unable(std::string(what) + " contains other powers of h");
+    if (k != power && !zero_as_known(s[k])) throw Unable(std::string(what) + " contains other powers of h");
   return form.at(column, power);
 }
 
@@ -26,8 +26,8 @@ template <class Field>
 SplittingParts<Field> parts_of(const KickDriftForms<Field>& problem, const KickDriftForm<Field>& x,
                                const KickDriftForm<Field>& v, bool& in_time) {
   const auto& evaluations = problem.evaluations;
-  if (!vanishes(only_power(x, 0, 0, "the new position") - Field(1)) ||
-      !vanishes(only_power(v, 1, 0, "the new velocity") - Field(1)) ||
+  if (!zero_as_known(only_power(x, 0, 0, "the new position") - Field(1)) ||
+      !zero_as_known(only_power(v, 1, 0, "the new velocity") - Field(1)) ||
       !KickDriftForm<Field>().agrees(v[0] * KickDriftForm<Field>::column(0)))
     throw Unable("it scales a position or a velocity, or adds a position to a velocity");
   std::vector<Field> kicks, covered;
@@ -35,18 +35,18 @@ SplittingParts<Field> parts_of(const KickDriftForms<Field>& problem, const KickD
     kicks.push_back(only_power(v, 2 + k, 1, "the new velocity"));
   // How far the drifts have come at a position, which has to follow from the kicks before it.
   const auto covered_by = [&](const KickDriftForm<Field>& at, std::size_t count, const std::string& what) {
-    if (!vanishes(only_power(at, 0, 0, what.c_str()) - Field(1)))
+    if (!zero_as_known(only_power(at, 0, 0, what.c_str()) - Field(1)))
       throw Unable(what + " is a multiple of the old one");
     const Field c = only_power(at, 1, 1, what.c_str());
     for (std::size_t j = 0; j < count; ++j)
-      if (!vanishes(only_power(at, 2 + j, 2, what.c_str()) - kicks[j] * (c - covered[j])))
+      if (!zero_as_known(only_power(at, 2 + j, 2, what.c_str()) - kicks[j] * (c - covered[j])))
         throw Unable("no kicks and drifts lead to " + what);
     return c;
   };
   SplittingParts<Field> parts;
   // A drift that is 0 to the digits known is none.
   const auto append_drift = [&](Field weight) {
-    if (!vanishes(weight)) parts.push_back({false, std::move(weight)});
+    if (!zero_as_known(weight)) parts.push_back({false, std::move(weight)});
   };
   Field reached(0);
   for (std::size_t k = 0; k < evaluations.size(); ++k) {

@@ -43,7 +43,7 @@ std::vector<BracketTerm> terms(const LieElement<Field>& x, const Writer& write) 
   std::vector<BracketTerm> result;
   for (int d = 1; d <= x.degree(); ++d)
     for (std::size_t i = 0; i < x.part(d).size(); ++i)
-      if (!vanishes(x.part(d)[i]))
+      if (!zero_as_known(x.part(d)[i]))
         result.push_back({d, x.basis().bracket_text(d, static_cast<int>(i)), write(x.part(d)[i])});
   return result;
 }
@@ -79,7 +79,7 @@ SplittingClass described(const LieElement<Field>& logarithm, VectorFields kind, 
   result.obstruction_degree = found.obstruction->degree;
   const LieQuotient& quotient = LieQuotient::of(kind, logarithm.degree());
   for (std::size_t r = 0; r < found.obstruction->values.size(); ++r) {
-    if (vanishes(found.obstruction->values[r])) continue;
+    if (zero_as_known(found.obstruction->values[r])) continue;
     const int n = found.obstruction->degree;
     const auto functional =
         LieElement<Rational>::homogeneous(n, n, quotient.lifted(n, found.obstruction->functionals[r]));

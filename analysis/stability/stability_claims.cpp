@@ -9,6 +9,7 @@
 #include "analysis/motion/formula_text.hpp"
 #include "analysis/motion/step_map.hpp"
 #include "analysis/program/print.hpp"
+#include "analysis/series/order_claims.hpp"
 #include "analysis/stability/radicals.hpp"
 #include "analysis/stability/stability.hpp"
 
@@ -111,10 +112,12 @@ std::vector<ClaimVerdict> stability_claims(const Program& program) {
 }
 
 std::vector<ClaimVerdict> all_claims(const Program& program) {
-  const std::vector<ClaimVerdict> motion = claims(program), oscillator = stability_claims(program);
+  const std::vector<ClaimVerdict> motion = claims(program), oscillator = stability_claims(program),
+                                  series = order_claims(program);
   std::vector<ClaimVerdict> verdicts;
-  auto m = motion.begin(), o = oscillator.begin();
-  for (const Claim& claim : program.claims) verdicts.push_back(about_oscillator(claim) ? *o++ : *m++);
+  auto m = motion.begin(), o = oscillator.begin(), s = series.begin();
+  for (const Claim& claim : program.claims)
+    verdicts.push_back(about_oscillator(claim) ? *o++ : about_series(claim) ? *s++ : *m++);
   return verdicts;
 }
 

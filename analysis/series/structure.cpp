@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/series/structure.hpp"
+
+#include <algorithm>
+
+#include "analysis/series/differential.hpp"
+#include "analysis/series/hamiltonian.hpp"
+#include "analysis/series/order.hpp"
+#include "analysis/series/splitting_reading.hpp"
+
+namespace shortfall {
+
+namespace {
+
+using Verdict = Property::Verdict;
+constexpr int kTreesUpTo = 6;      // for a(x)
+constexpr int kGeneralUpTo = 4;    // for a(x, v, t): many more trees
+constexpr int kHighestStage = 20;
+
+bool same_weights(const SeriesSource& source, const std::vector<Fraction>& differences) {
+  return std::ranges::all_of(differences, [&](const Fraction& f) { return source.zero(f); });
+}
+
+/// Reflected, the tableau is itself: a_{s+1-i, s+1-j} + a_ij = b_j, b and c palindromes.
+bool reflects(const SeriesSource& source, const ButcherTableau<Fraction>& t) {
+  const std::size_t s = t.stages();
+  std::vector<Fraction> differences;
+  for (std::size_t i = 0; i < s; ++i) {
+    differences.push_back(t.b[i] - t.b[s - 1 - i]);
+    differences.push_back(t.c[i] + t.c[s - 1 - i] - Fraction(1));
+    for (std::size_t j = 0; j < s; ++j)
+      differences.push_back(t.a[s - 1 - i][s - 1 - j] + t.a[i][j] - t.b[j]);
+  }
+  return same_weights(source, differences);
+}
+
+/// b_i a_ij + b_j a_ji = b_i b_j.
+bool keeps_quadratic_invariants(const SeriesSource& source, const ButcherTableau<Fraction>& t) {
+  std::vector<Fraction> differences;
+  for (std::size_t i = 0; i < t.stages(); ++i)
+    for (std::size_t j = 0; j <= i; ++j)
+      differences.push_back(t.b[i] * t.a[i][j] + t.b[j] * t.a[j][i] - t.b[i] * t.b[j]);
+  return same_weights(source, differences);
+}
+
+/// Of kicks and drifts.
+struct PartsFound {
+  bool is_splitting = false;
+  bool plain = false;  ///< nothing special at start and finish, and time goes with the drifts
+  bool palindrome = false;
+  bool conjugate = false;  ///< start and finish undo each other, or are not there
+};
+
+PartsFound parts_of(const Program& program, const Values& given) {
+  PartsFound found;
+  const SplittingReading reading = splitting_reading(program, given);
+  found.is_splitting = reading.is_splitting();
+  std::visit(
+      [&](const auto& parts) {
+        if constexpr (requires { parts.step; }) {
+          const auto step = merged(parts.step);
+          const auto back = merged(adjoint(parts.step));
+          found.palindrome = std::ranges::equal(step, back, [](const auto& a, const auto& b) {
+            return a.kick == b.kick && (a.weight - b.weight).is_zero();
+          });
+          found.plain = parts.time_follows_drifts && merged(parts.start).empty() && merged(parts.finish).empty();
+          found.conjugate = merged(composed(parts.start, parts.finish)).empty();
+        }
+      },
+      reading.parts);
+  return found;
+}
+
+/// The first tree of the step and of its adjoint that differ.
+Property symmetric_per_tree(const SeriesSource& source, const ForceClass& forces, int order) {
+  Property p;
+  p.up_to = order;
+  with_coefficients(source, [&]<class K>() {
+    const TreeTable table(forces.signature, order);
+    const TreeSeries<K> map = source.step<K>(table).map, back = adjoint(table, map);
+    for (TreeId t = 0; t < table.size(); ++t)
+      if (!source.zero(Fraction(map[t] - back[t]))) {
+        p.verdict = Verdict::refuted;
+        p.up_to = table.order(t);
+        p.how = "step and adjoint differ in h^" + std::to_string(table.order(t)) + " " + differential(table, t) +
+                " of " + table.signature().components[table.component(t)];
+        return;
+      }
+  });
+  return p;
+}
+
+Property symmetric(const SeriesSource& source, const PartsFound& parts) {
+  const bool exact = source.digits() == 0;
+  if (source.has_tableau()) {
+    if (reflects(source, source.tableau<Fraction>()))
+      return {exact ? Verdict::proved : Verdict::not_contradicted, 0, "its tableau is its own reflection"};
+    return symmetric_per_tree(source, force_class("general"), kGeneralUpTo);
+  }
+  Property general = symmetric_per_tree(source, force_class("general"), kGeneralUpTo);
+  if (general.holds()) return general;
+  // Most kicks are given a velocity of another moment: for forces that do not read it more may hold.
+  if (parts.palindrome && parts.plain)
+    return {exact ? Verdict::proved : Verdict::not_contradicted, 0,
+            "for forces a(x, t): a palindrome of kicks and drifts"};
+  Property still = symmetric_per_tree(source, force_class("velocity_independent"), kTreesUpTo);
+  if (still.holds()) still.how = "for forces a(x, t)";
+  return still;
+}
+
+Property symplectic(const SeriesSource& source, const PartsFound& parts) {
+  const Verdict yes = source.digits() == 0 ? Verdict::proved : Verdict::not_contradicted;
+  if (source.has_tableau() && keeps_quadratic_invariants(source, source.tableau<Fraction>()))
+    return {yes, 0, "b_i a_ij + b_j a_ji = b_i b_j"};
+  if (parts.is_splitting && parts.conjugate) return {yes, 0, "kicks and drifts keep the area each"};
+  const ModifiedHamiltonian h = modified_hamiltonian(source, kTreesUpTo);
+  if (h.exists()) return {Verdict::not_contradicted, kTreesUpTo, ""};
+  return {Verdict::refuted, h.obstructed_at + 1, h.obstruction};
+}
+
+/// C(q): sum over j of a_ij c_j^(k-1) = c_i^k / k for k up to q.
+int stage_order(const SeriesSource& source, const ButcherTableau<Fraction>& t) {
+  std::vector<Fraction> power(t.stages(), Fraction(1));  // c^(k-1)
+  for (int k = 1; k <= kHighestStage; ++k) {
+    for (std::size_t i = 0; i < t.stages(); ++i) {
+      Fraction sum;
+      for (std::size_t j = 0; j < t.stages(); ++j) sum += t.a[i][j] * power[j];
+      if (!source.zero(sum - power[i] * t.c[i] / Fraction(k))) return k - 1;
+    }
+    for (std::size_t i = 0; i < t.stages(); ++i) power[i] *= t.c[i];
+  }
+  return kHighestStage;
+}
+
+bool has_row_sums(const SeriesSource& source, const ButcherTableau<Fraction>& t) {
+  std::vector<Fraction> differences = t.c;
+  for (std::size_t i = 0; i < t.stages(); ++i)
+    for (const Fraction& a : t.a[i]) differences[i] -= a;
+  return same_weights(source, differences);
+}
+
+}  // namespace
+
+int embedded_order(const SeriesSource& source, int highest) {
+  return with_coefficients(source, [&]<class K>() {
+    const ButcherTableau<K> tableau = source.tableau<K>();
+    for (int n = 1; n <= highest; ++n) {
+      const TreeTable table(Signature::first_order_with_time(), n);
+      const TreeSeries<K> map = ElementaryWeights<K>(tableau, table).result(tableau.embedded),
+                          exact = exact_flow<K>(table);
+      for (TreeId t = table.begin(n); t < table.end(n); ++t)
+        if (!source.zero(Fraction(map[t] - exact[t]))) return n - 1;
+    }
+    return highest;
+  });
+}
+
+Structure structure(const SeriesSource& source, const Values& given) {
+  Structure s;
+  const PartsFound parts = parts_of(source.program(), given);
+  s.symmetric = symmetric(source, parts);
+  s.symplectic = symplectic(source, parts);
+  if (source.has_tableau()) {
+    const ButcherTableau<Fraction> t = source.tableau<Fraction>();
+    s.stage_order = stage_order(source, t);
+    s.row_sums = has_row_sums(source, t);
+    if (!t.embedded.empty()) s.embedded_order = embedded_order(source, 10);
+  }
+  return s;
+}
+
+}  // namespace shortfall
