@@ -67,6 +67,7 @@ void add_verify(CLI::App& app, int& code);
 void add_correct(CLI::App& app, int& code);
 void add_jump(CLI::App& app, int& code);
 void add_stability(CLI::App& app, int& code);
+void add_order(CLI::App& app, int& code);
 void add_modified(CLI::App& app, int& code);
 void add_damping(CLI::App& app, int& code);
 void add_spring(CLI::App& app, int& code);

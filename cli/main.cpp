@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   add_export(app, code);
   add_verify(app, code);
   add_stability(app, code);
+  add_order(app, code);
   add_modified(app, code);
   add_damping(app, code);
   add_spring(app, code);

@@ -291,9 +291,11 @@ class Checker {
     constexpr int kHighest = 20;  // more trees than fit into any memory
     std::int64_t order = -1;
     if (!claim.value->value.fits_int64(order) || order < 0 || order > kHighest)
-      throw source_.error(claim.value->place, "an order is a whole number from 0 to " + std::to_string(kHighest));
+      throw source_.error(claim.value->place,
+                          "an order is a whole number from 0 to " + std::to_string(kHighest));
     if (claim.word == "embedded-order" && (!program_.tableau || program_.tableau->embedded.empty()))
-      throw source_.error(claim.place, "an embedded order is that of a tableau's embedded row; there is none");
+      throw source_.error(claim.place,
+                          "an embedded order is that of a tableau's embedded row; there is none");
   }
 
   void check_claim(const Claim& claim) const {

@@ -22,8 +22,9 @@ const std::vector<std::string>& block_words() {
   return words;
 }
 const std::vector<std::string>& claim_words() {
-  static const std::vector<std::string> words{"exact", "shortfall",      "shortfall-velocity", "trace",     "determinant",
-                                              "limit", "order", "embedded-order", "symplectic",         "symmetric"};
+  static const std::vector<std::string> words{
+      "exact", "shortfall", "shortfall-velocity", "trace",      "determinant",
+      "limit", "order",     "embedded-order",     "symplectic", "symmetric"};
   return words;
 }
 
@@ -250,11 +251,12 @@ class FileParser {
     if (first.empty() || next_is_equals(first))
       throw error("a statement stands in a start, step or finish block, not in expect");
     if (!is_one_of(first, claim_words()))
-      throw error("unknown claim '" + first + "'" + did_you_mean(first, claim_words()) +
-                  (nearest(first, claim_words()).empty()
-                       ? "; the claims are exact, shortfall, shortfall-velocity, trace, determinant, limit, order, "
-                         "embedded-order, symplectic, symmetric"
-                       : ""));
+      throw error(
+          "unknown claim '" + first + "'" + did_you_mean(first, claim_words()) +
+          (nearest(first, claim_words()).empty()
+               ? "; the claims are exact, shortfall, shortfall-velocity, trace, determinant, limit, order, "
+                 "embedded-order, symplectic, symmetric"
+               : ""));
     const Place place = here();
     skip(first.size());
     TokenReader in = reader();
@@ -275,8 +277,8 @@ class FileParser {
     Claim claim{first, number(number_read.value, number_read.place), place};
     if (!in.at_end()) {
       if (in.peek().kind != Token::Kind::name || in.peek().text != "if")
-        throw in.error("expected 'if' and what the force may read, as in: " + first + " 4 if a(x, t); found " +
-                       in.found());
+        throw in.error("expected 'if' and what the force may read, as in: " + first +
+                       " 4 if a(x, t); found " + in.found());
       in.take();
       const Place notation_place = in.peek().place;
       std::string notation;
@@ -287,8 +289,9 @@ class FileParser {
         if (bare == notation) claim.forces = known;
       }
       if (claim.forces.empty())
-        throw in.error(notation_place, "a force is said by what it reads: a(x, v, t), a(x, t), a(x, v), a(x) or a(t)" +
-                                           did_you_mean(notation, force_notations()));
+        throw in.error(notation_place,
+                       "a force is said by what it reads: a(x, v, t), a(x, t), a(x, v), a(x) or a(t)" +
+                           did_you_mean(notation, force_notations()));
     }
     program_.claims.push_back(std::move(claim));
   }

@@ -58,7 +58,7 @@ std::string differential(const TreeTable& table, TreeId t, bool latex) {
   }
   if (children.empty()) return text;
   if (children.size() == 1)
-    return text + (has_one_component_of_space(s) && !latex ? "" : " ") +
+    return text + (has_one_component_of_space(s) && !latex && text.back() != 't' ? "" : " ") +
            differential(table, children[0], latex);
   text += "(";
   for (std::size_t i = 0; i < children.size(); ++i)

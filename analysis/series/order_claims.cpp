@@ -23,7 +23,8 @@ ClaimVerdict order_verdict(const SeriesSource& source, const Claim& claim) {
       order_of_class(source, force_class(claim.forces.empty() ? "general" : claim.forces), limits);
   ClaimVerdict verdict{claim.str(), false, {}, source.digits()};
   verdict.holds = !found.at_least && found.order == claimed;
-  verdict.found = "order " + std::to_string(found.order) + (found.at_least ? " or more" : "") + condition(claim);
+  verdict.found =
+      "order " + std::to_string(found.order) + (found.at_least ? " or more" : "") + condition(claim);
   return verdict;
 }
 

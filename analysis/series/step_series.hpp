@@ -27,6 +27,8 @@ class SeriesSource {
 
   const Program& program() const { return program_; }
   const Tape& tape() const { return tape_; }
+  /// Values of parameters: what was given, and what was switched off.
+  const Values& values() const { return values_; }
   bool rational() const { return !extras_; }
   /// What the reader has to know: "with c = 0: ..." and the like.
   const std::vector<std::string>& notes() const { return notes_; }

@@ -2,6 +2,7 @@
 #include "analysis/series/structure.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "analysis/series/differential.hpp"
 #include "analysis/series/hamiltonian.hpp"
@@ -13,8 +14,9 @@ namespace shortfall {
 namespace {
 
 using Verdict = Property::Verdict;
-constexpr int kTreesUpTo = 6;      // for a(x)
-constexpr int kGeneralUpTo = 4;    // for a(x, v, t): many more trees
+// Trees that are looked at, a few first. A step of order p can hide what fails until order p + 2.
+constexpr int kGeneral[] = {4};           // a(x, v, t): many trees
+constexpr int kOthers[] = {4, 6, 8, 10};  // a(x), a(x, t), y' = f(y)
 constexpr int kHighestStage = 20;
 
 bool same_weights(const SeriesSource& source, const std::vector<Fraction>& differences) {
@@ -28,8 +30,7 @@ bool reflects(const SeriesSource& source, const ButcherTableau<Fraction>& t) {
   for (std::size_t i = 0; i < s; ++i) {
     differences.push_back(t.b[i] - t.b[s - 1 - i]);
     differences.push_back(t.c[i] + t.c[s - 1 - i] - Fraction(1));
-    for (std::size_t j = 0; j < s; ++j)
-      differences.push_back(t.a[s - 1 - i][s - 1 - j] + t.a[i][j] - t.b[j]);
+    for (std::size_t j = 0; j < s; ++j) differences.push_back(t.a[s - 1 - i][s - 1 - j] + t.a[i][j] - t.b[j]);
   }
   return same_weights(source, differences);
 }
@@ -63,7 +64,8 @@ PartsFound parts_of(const Program& program, const Values& given) {
           found.palindrome = std::ranges::equal(step, back, [](const auto& a, const auto& b) {
             return a.kick == b.kick && (a.weight - b.weight).is_zero();
           });
-          found.plain = parts.time_follows_drifts && merged(parts.start).empty() && merged(parts.finish).empty();
+          found.plain =
+              parts.time_follows_drifts && merged(parts.start).empty() && merged(parts.finish).empty();
           found.conjugate = merged(composed(parts.start, parts.finish)).empty();
         }
       },
@@ -72,21 +74,25 @@ PartsFound parts_of(const Program& program, const Values& given) {
 }
 
 /// The first tree of the step and of its adjoint that differ.
-Property symmetric_per_tree(const SeriesSource& source, const ForceClass& forces, int order) {
+Property symmetric_per_tree(const SeriesSource& source, const Signature& signature,
+                            std::span<const int> orders) {
   Property p;
-  p.up_to = order;
-  with_coefficients(source, [&]<class K>() {
-    const TreeTable table(forces.signature, order);
-    const TreeSeries<K> map = source.step<K>(table).map, back = adjoint(table, map);
-    for (TreeId t = 0; t < table.size(); ++t)
-      if (!source.zero(Fraction(map[t] - back[t]))) {
-        p.verdict = Verdict::refuted;
-        p.up_to = table.order(t);
-        p.how = "step and adjoint differ in h^" + std::to_string(table.order(t)) + " " + differential(table, t) +
-                " of " + table.signature().components[table.component(t)];
-        return;
-      }
-  });
+  for (const int order : orders) {
+    p.up_to = order;
+    with_coefficients(source, [&]<class K>() {
+      const TreeTable table(signature, order);
+      const TreeSeries<K> map = source.step<K>(table).map, back = adjoint(table, map);
+      for (TreeId t = 0; t < table.size(); ++t)
+        if (!source.zero(Fraction(map[t] - back[t]))) {
+          p.verdict = Verdict::refuted;
+          p.up_to = table.order(t);
+          p.how = "step and adjoint differ in h^" + std::to_string(table.order(t)) + " " +
+                  differential(table, t) + " of " + table.signature().components[table.component(t)];
+          return;
+        }
+    });
+    if (!p.holds()) break;
+  }
   return p;
 }
 
@@ -95,15 +101,16 @@ Property symmetric(const SeriesSource& source, const PartsFound& parts) {
   if (source.has_tableau()) {
     if (reflects(source, source.tableau<Fraction>()))
       return {exact ? Verdict::proved : Verdict::not_contradicted, 0, "its tableau is its own reflection"};
-    return symmetric_per_tree(source, force_class("general"), kGeneralUpTo);
+    return symmetric_per_tree(source, Signature::first_order(), kOthers);
   }
-  Property general = symmetric_per_tree(source, force_class("general"), kGeneralUpTo);
+  Property general = symmetric_per_tree(source, force_class("general").signature, kGeneral);
   if (general.holds()) return general;
   // Most kicks are given a velocity of another moment: for forces that do not read it more may hold.
   if (parts.palindrome && parts.plain)
     return {exact ? Verdict::proved : Verdict::not_contradicted, 0,
             "for forces a(x, t): a palindrome of kicks and drifts"};
-  Property still = symmetric_per_tree(source, force_class("velocity_independent"), kTreesUpTo);
+  Property still =
+      symmetric_per_tree(source, force_class("velocity_independent").signature, std::span(kOthers).first(2));
   if (still.holds()) still.how = "for forces a(x, t)";
   return still;
 }
@@ -113,9 +120,10 @@ Property symplectic(const SeriesSource& source, const PartsFound& parts) {
   if (source.has_tableau() && keeps_quadratic_invariants(source, source.tableau<Fraction>()))
     return {yes, 0, "b_i a_ij + b_j a_ji = b_i b_j"};
   if (parts.is_splitting && parts.conjugate) return {yes, 0, "kicks and drifts keep the area each"};
-  const ModifiedHamiltonian h = modified_hamiltonian(source, kTreesUpTo);
-  if (h.exists()) return {Verdict::not_contradicted, kTreesUpTo, ""};
-  return {Verdict::refuted, h.obstructed_at + 1, h.obstruction};
+  for (const int order : kOthers)
+    if (const ModifiedHamiltonian h = modified_hamiltonian(source, order); !h.exists())
+      return {Verdict::refuted, h.obstructed_at + 1, h.obstruction};
+  return {Verdict::not_contradicted, kOthers[std::size(kOthers) - 1], ""};
 }
 
 /// C(q): sum over j of a_ij c_j^(k-1) = c_i^k / k for k up to q.
@@ -155,9 +163,9 @@ int embedded_order(const SeriesSource& source, int highest) {
   });
 }
 
-Structure structure(const SeriesSource& source, const Values& given) {
+Structure structure(const SeriesSource& source) {
   Structure s;
-  const PartsFound parts = parts_of(source.program(), given);
+  const PartsFound parts = parts_of(source.program(), source.values());
   s.symmetric = symmetric(source, parts);
   s.symplectic = symplectic(source, parts);
   if (source.has_tableau()) {

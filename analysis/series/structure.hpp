@@ -20,8 +20,8 @@ struct Property {
 
 /// What follows from the structure of a step rather than from its accuracy.
 ///
-/// Sources: Hairer, Lubich & Wanner (2006), II.3 (adjoint), V.2 (symmetric methods), VI.4, VI.7 (symplecticity:
-/// Lasagni, Sanz-Serna, Suris 1988), IX.9 (per tree).
+/// Sources: Hairer, Lubich & Wanner (2006), II.3 (adjoint), V.2 (symmetric methods), VI.4, VI.7
+/// (symplecticity: Lasagni, Sanz-Serna, Suris 1988), IX.9 (per tree).
 struct Structure {
   /// The step with -h undoes the step. For every force; with a clause when only for a(x, t).
   Property symmetric;
@@ -34,7 +34,7 @@ struct Structure {
 };
 
 /// throws  Unable, Undefined  when the step has no series
-Structure structure(const SeriesSource& source, const Values& given = {});
+Structure structure(const SeriesSource& source);
 
 /// That of a tableau's embedded result; conditions are looked at up to `highest`.
 int embedded_order(const SeriesSource& source, int highest);

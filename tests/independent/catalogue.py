@@ -278,6 +278,12 @@ def check_order(integrator):
     if integrator.name not in ORDER:
         raise Bad("no order is known for it: add it to ORDER")
     wanted = ORDER[integrator.name]
+    claims = integrator.series_claims
+    claimed = claims.get(("order", ""))
+    if (claims.get(("order", "a(x,t)"), claimed), claimed) != tuple(wanted):
+        raise Bad(f"the orders claimed are {claims}, {wanted} are known")
+    if claims.get(("embedded-order", "")) != EMBEDDED_ORDER.get(integrator.name):
+        raise Bad("the embedded order claimed is not the one known")
     seen = [observed_order(integrator, force) for force in (without_velocity, with_velocity)]
     for p, q, what in zip(wanted, seen, ("a(x, t)", "a(x, v, t)")):
         if abs(p - q) > (0.2 if p < 6 else 0.35):

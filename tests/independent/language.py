@@ -205,6 +205,7 @@ class Integrator:
     def __init__(self, text):
         self.name, self.about, self.aliases, self.sources = None, [], [], []
         self.params, self.states, self.claims = {}, {}, {}
+        self.series_claims = {}  # (word, forces): number or True
         self.roots, self.approximations, self.impulse, self.hold = {}, {}, None, False
         self.assumptions, self.solves = [], None
         self.irrational = bool(re.search(r"^(?! *limit).*\b(sqrt|exp|pow|log) *\(|^ *root ", text, re.M))
@@ -238,6 +239,9 @@ class Integrator:
             word, _, rest = line.strip().partition(" ")
             if not word:
                 continue
+            if word in ("order", "embedded-order", "symplectic", "symmetric"):
+                self.claim_of_series(word, rest.strip())
+                continue
             if word not in ("exact", "shortfall", "shortfall-velocity", "trace", "determinant", "limit") \
                     or word in self.claims:
                 raise Bad(f"claim '{word}'")
@@ -245,6 +249,16 @@ class Integrator:
                 self.printed_limit = rest.strip()
             self.claims[word] = int(rest) if word == "exact" else whole(rest)
         self.check()
+
+    def claim_of_series(self, word, rest):
+        """order P, order P if a(x, t), embedded-order P, symplectic, symmetric."""
+        number, _, forces = rest.partition(" if ")
+        key = (word, forces.replace(" ", ""))
+        if key in self.series_claims or (word.startswith("sym") and rest):
+            raise Bad(f"claim '{word} {rest}'")
+        if key[1] not in ("", "a(x,v,t)", "a(x,t)", "a(x,v)", "a(x)", "a(t)"):
+            raise Bad(f"forces '{forces}'")
+        self.series_claims[key] = int(number) if number else True
 
     def head(self, word, rest):
         if word == "integrator":
