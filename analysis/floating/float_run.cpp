@@ -117,7 +117,8 @@ FloatQuestion stored(const FloatQuestion& question, const FloatFormat& format) {
   check_numeric(question.force);
   const Storage storage(format);
   FloatQuestion q = question;
-  q.h = storage(q.h, "h");
+  q.h = storage(q.kept_h.value_or(q.h), "h");
+  q.kept_h.reset();
   q.x0 = storage(q.x0, "x0");
   q.v0 = storage(q.v0, "v0");
   for (auto& [degree, f] : q.force.push) f = storage(f, "f" + std::to_string(degree));

@@ -32,6 +32,7 @@ struct FloatQuestion {
   int substeps = 1;
   Force force;  ///< with numbers; the step's arithmetic is f0 + t (f1 + t (...)) - k x - c v, left to right
   Rational h;
+  std::optional<Rational> kept_h{};  ///< what is stored for h, when that was said: 0.02f for 0.02
   Rational x0;
   Rational v0;
 };

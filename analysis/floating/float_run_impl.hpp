@@ -34,7 +34,7 @@ class TypedFloatRun : public FloatRun {
         tape_(lower(q.substeps > 1 ? substepped(q.program, q.substeps) : q.program,
                     parameter_values(q.program, q.parameters))) {
     access_.within([&] {
-      h_ = access_.rounded(q.h);
+      h_ = access_.rounded(q.kept_h.value_or(q.h));
       x0_ = access_.rounded(q.x0);
       v0_ = access_.rounded(q.v0);
       zero_ = access_.rounded(0);

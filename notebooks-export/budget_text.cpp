@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "notebooks-export/budget_text.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace shortfall {
+
+namespace {
+
+constexpr int kDigits = 9;  // shown
+
+struct Scale {
+  const char* unit;
+  int exponent;  ///< of ten: shown = value * 10^exponent
+};
+
+/// A unit in which lengths are read easily.
+Scale scale_for(const std::vector<Budget>& budgets, std::size_t line) {
+  double largest = 0;
+  for (const Budget& b : budgets)
+    if (line < b.lines.size()) {
+      if (b.lines[line].unit != "m") return {b.lines[line].unit.c_str(), 0};
+      largest = std::max(largest, std::abs(b.lines[line].observed.to_double()));
+    }
+  if (largest == 0 || largest >= 0.5) return {"m", 0};
+  return largest >= 5e-7 ? Scale{"mm", 3} : Scale{"nm", 9};
+}
+
+std::string shown(const Ball& value, const Scale& scale) {
+  const Ball scaled = value * Ball(Rational(10).pow(scale.exponent), value.bits());
+  if (scaled.is_zero()) return "0";
+  if (const auto text = scaled.significant(kDigits)) return *text;
+  return "0 +- " + scaled.radius();
+}
+
+/// A table with its columns aligned, the first to the left.
+std::string table(const std::vector<std::vector<std::string>>& rows) {
+  std::vector<std::size_t> widths;
+  for (const auto& row : rows)
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      if (widths.size() <= i) widths.push_back(0);
+      widths[i] = std::max(widths[i], row[i].size());
+    }
+  std::string text;
+  for (const auto& row : rows) {
+    std::string line = "  ";
+    for (std::size_t i = 0; i < row.size(); ++i) {
+      const std::string gap(widths[i] - row[i].size(), ' ');
+      line += i == 0 ? row[i] + gap : "  " + gap + row[i];
+    }
+    text += line + "\n";
+  }
+  return text;
+}
+
+std::string quantity_words(const Budget& b, const BudgetLine& l) {
+  if (l.quantity == "peak")
+    return "The highest frame (" + std::to_string(b.steps) + "), against the height asked for";
+  const std::string after = " after " + std::to_string(b.steps) + " steps";
+  if (l.quantity == "energy") return "Energy per mass" + after;
+  return l.quantity + after;
+}
+
+/// The part that is largest.
+std::string largest_part(const Budget& b) {
+  const BudgetTerm* largest = nullptr;
+  for (const BudgetTerm& t : b.lines.front().terms)
+    if (!largest || std::abs(t.value.to_double()) > std::abs(largest->value.to_double())) largest = &t;
+  return largest && !largest->value.is_zero() ? largest->name : "";
+}
+
+/// What can be done about it.
+std::string remedy(const std::string& part, const std::string& integrator) {
+  if (part == "method")
+    return "a smaller step or a correction mends that (shortfall correct " + integrator +
+           "), a wider format does not";
+  if (part == "representation")
+    return "a step and constants that the format holds exactly (h = 1/64, 1/128) mend that, or a wider "
+           "format";
+  if (part == "rounding")
+    return "compensated sums (+kahan) or a wider format mend that; a smaller step makes it worse";
+  return "a launch that puts the peak on a frame mends that (shortfall jump says which)";
+}
+
+nlohmann::ordered_json as_json(const Ball& b) {
+  if (b.is_exact()) {
+    const Rational exact = b.midpoint();
+    if (exact.digits() < 80) return exact.str();
+  }
+  const auto decimal = b.significant(30);
+  return {{"decimal", decimal ? nlohmann::ordered_json(*decimal) : nlohmann::ordered_json(nullptr)},
+          {"radius", b.radius()}};
+}
+
+nlohmann::ordered_json as_json(const FloatNumber& n) {
+  if (!n.is_finite()) return n.str(1);
+  return {{"exact", n.value.str()}, {"decimal", n.value.significant(20)}};
+}
+
+}  // namespace
+
+std::string as_text(const std::vector<Budget>& budgets, const std::string& about) {
+  std::string text = about + "\n  parts are exact minus computed: positive means that the run is too low\n";
+  std::size_t lines = 0;
+  for (const Budget& b : budgets) lines = std::max(lines, b.lines.size());
+  for (std::size_t i = 0; i < lines; ++i) {
+    const Scale scale = scale_for(budgets, i);
+    std::vector<std::vector<std::string>> rows;
+    std::string head;
+    for (const Budget& b : budgets) {
+      if (i >= b.lines.size()) continue;
+      const BudgetLine& l = b.lines[i];
+      if (rows.empty()) {
+        head = quantity_words(b, l) + ", in " + scale.unit;
+        rows.push_back({"format", "observed"});
+        for (const BudgetTerm& t : l.terms) rows[0].push_back(t.name);
+        if (i == 0) rows[0].push_back("rounding at most");
+      }
+      std::vector<std::string> row{b.format.name(), shown(l.observed, scale)};
+      for (const BudgetTerm& t : l.terms) row.push_back(shown(t.value, scale));
+      if (i == 0) {
+        std::array<char, 32> bound{};
+        if (b.rounding_bound)
+          std::snprintf(bound.data(), bound.size(), "%.2g",
+                        *b.rounding_bound * std::pow(10.0, scale.exponent));
+        row.push_back(b.rounding_bound ? bound.data() : "-");
+      }
+      rows.push_back(std::move(row));
+    }
+    text += "\n" + head + "\n" + table(rows);
+  }
+  text += "\n";
+  for (const Budget& b : budgets) {
+    if (b.differs_at)
+      text += "  " + b.format.name() + ": the first rounding that is seen is in step " +
+              std::to_string(*b.differs_at) + "\n";
+    if (b.not_finite_at) {
+      text += "  " + b.format.name() + ": no longer a finite number from step " +
+              std::to_string(*b.not_finite_at) + " on; there is no budget\n";
+      continue;
+    }
+    for (const BudgetLine& l : b.lines)
+      if (!l.closes())
+        text += "  " + b.format.name() + ", " + l.quantity +
+                ": the parts were not found narrowly enough; residual within " + l.residual.radius() + "\n";
+  }
+  for (const char* part : {"method", "representation", "rounding", "sampling"}) {
+    std::string formats;
+    for (const Budget& b : budgets)
+      if (!b.lines.empty() && largest_part(b) == part)
+        formats += (formats.empty() ? "" : ", ") + b.format.name();
+    if (!formats.empty())
+      text += "  " + formats + ": most of it is " + part + "; " +
+              remedy(part, budgets[0].question.program.name) + "\n";
+  }
+  const bool all = std::ranges::all_of(budgets, [](const Budget& b) {
+    return b.not_finite_at || std::ranges::all_of(b.lines, [](const BudgetLine& l) { return l.closes(); });
+  });
+  if (all)
+    text +=
+        "  the parts add up to what is observed: the residual holds 0 and is narrower than 1e-40 of it; the "
+        "digits shown are certain\n";
+  return text;
+}
+
+nlohmann::ordered_json as_json(const std::vector<Budget>& budgets) {
+  nlohmann::ordered_json json{{"schema", "shortfall.budget/1"}};
+  if (!budgets.empty()) {
+    const FloatQuestion& q = budgets[0].question;
+    json["integrator"] = q.program.name;
+    json["force"] = q.force.text;
+    json["dt"] = q.h.str();
+  }
+  json["budgets"] = nlohmann::ordered_json::array();
+  for (const Budget& b : budgets) {
+    nlohmann::ordered_json one{{"format", b.format.name()}, {"steps", b.steps}};
+    one["not_finite_at"] =
+        b.not_finite_at ? nlohmann::ordered_json(*b.not_finite_at) : nlohmann::ordered_json(nullptr);
+    one["quantities"] = nlohmann::ordered_json::array();
+    for (const BudgetLine& l : b.lines) {
+      nlohmann::ordered_json quantity{{"quantity", l.quantity},
+                                      {"unit", l.unit},
+                                      {"computed", as_json(l.computed)},
+                                      {"truth", as_json(l.truth)},
+                                      {"observed", as_json(l.observed)}};
+      for (const BudgetTerm& t : l.terms) quantity[t.name] = as_json(t.value);
+      quantity["residual"] = as_json(l.residual);
+      quantity["closes"] = l.closes();
+      one["quantities"].push_back(std::move(quantity));
+    }
+    one["rounding_bound"] =
+        b.rounding_bound ? nlohmann::ordered_json(*b.rounding_bound) : nlohmann::ordered_json(nullptr);
+    one["differs_at"] =
+        b.differs_at ? nlohmann::ordered_json(*b.differs_at) : nlohmann::ordered_json(nullptr);
+    json["budgets"].push_back(std::move(one));
+  }
+  return json;
+}
+
+Figure budget_figure(const std::vector<Budget>& budgets, const std::string& title) {
+  Figure figure;
+  figure.title = title;
+  const Scale scale = scale_for(budgets, 0);
+  const double factor = std::pow(10.0, scale.exponent);
+  for (const Budget& b : budgets) {
+    if (b.lines.empty()) continue;
+    const BudgetLine& l = b.lines[0];
+    Figure::Panel panel;
+    panel.title = b.format.words();
+    panel.note = "exact minus computed: the parts from left to right, then their sum";
+    panel.y.label = l.quantity == "peak" ? "too low by" : "shortfall of " + l.quantity;
+    panel.y.unit = scale.unit;
+    panel.x.low = 0;
+    panel.x.high = static_cast<double>(l.terms.size()) + 1;
+    double level = 0, low = 0, high = 0;
+    const auto bar = [&](double at, double from, double to, Figure::Ink ink, const std::string& name,
+                         const Ball& value) {
+      panel.regions.push_back(
+          {{{{at + 0.15, from}, {at + 0.85, from}, {at + 0.85, to}, {at + 0.15, to}, {at + 0.15, from}}},
+           ink,
+           0.6});
+      low = std::min({low, from, to});
+      high = std::max({high, from, to});
+      const Ball scaled = value * Ball(Rational(10).pow(scale.exponent), value.bits());
+      panel.labels.push_back({{at + 0.5, std::max(from, to)},
+                              name + " " + scaled.significant(4).value_or("0"),
+                              Figure::Ink::black,
+                              Figure::Align::centre,
+                              0.8});
+    };
+    constexpr std::array<Figure::Ink, 4> kInks{Figure::Ink::sky, Figure::Ink::orange, Figure::Ink::green,
+                                               Figure::Ink::vermillion};
+    for (std::size_t i = 0; i < l.terms.size(); ++i) {
+      const double next = level + l.terms[i].value.to_double() * factor;
+      bar(static_cast<double>(i), level, next, kInks[i % kInks.size()], l.terms[i].name, l.terms[i].value);
+      level = next;
+    }
+    bar(static_cast<double>(l.terms.size()), 0, level, Figure::Ink::grey, "observed", l.observed);
+    const double room = 0.12 * std::max(high - low, 1e-300);
+    panel.y.low = low - room;
+    panel.y.high = high + 2 * room;
+    panel.curves.push_back({{{{panel.x.low, 0}, {panel.x.high, 0}}}, Figure::Ink::dark, 1, false});
+    figure.panels.push_back(std::move(panel));
+  }
+  return figure;
+}
+
+}  // namespace shortfall

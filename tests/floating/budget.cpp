@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/floating/budget.hpp"
+
+#include <doctest/doctest.h>
+
+#include <random>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/program/catalogue.hpp"
+#include "analysis/program/parse.hpp"
+
+using namespace shortfall;
+
+namespace {
+
+const BudgetTerm& term(const BudgetLine& l, const std::string& name) {
+  for (const BudgetTerm& t : l.terms)
+    if (t.name == name) return t;
+  throw Error("no term " + name);
+}
+
+FloatQuestion question(const std::string& integrator, const std::string& force, const Rational& h) {
+  FloatQuestion q;
+  q.program = find_integrator(integrator);
+  q.force = force_named(force);
+  q.h = h;
+  q.x0 = 1;
+  q.v0 = Rational(-1, 3);
+  return q;
+}
+
+}  // namespace
+
+TEST_CASE("a jump of 1.7 m with symplectic Euler in binary32: every part to its published digits, in mm") {
+  FloatQuestion q = question("symplectic-euler", "constant", Rational(1, 50));
+  q.kept_h = Rational::from_double(0.02f);
+  const Budget b = peak_budget(float_format("f32"), q, Rational(17, 10), Rational(981, 100));
+  CHECK(b.steps == 29);
+  const BudgetLine& l = b.lines.at(0);
+  CHECK(l.closes());
+  const auto millimetres = [](const Ball& value, int digits) {
+    return (value * Ball(1000, 400)).significant(digits).value();
+  };
+  CHECK(millimetres(term(l, "sampling").value, 9) == "0.372523768");
+  CHECK(millimetres(term(l, "method").value, 5) == "56.898");
+  CHECK(millimetres(term(l, "representation").value, 6) == "-0.0000421863");
+  CHECK(millimetres(term(l, "rounding").value, 6) == "-0.000836845");
+  CHECK(millimetres(l.observed, 9) == "57.2696447");
+}
+
+TEST_CASE("budgets close for random integrators, forces, steps and formats") {
+  std::mt19937 generator(17);
+  const auto pick = [&](int low, int high) {
+    return std::uniform_int_distribution<int>(low, high)(generator);
+  };
+  const std::vector<std::string> forces{"constant:a=-9",   "poly:2:f0=1,f1=-1/3,f2=2/7",
+                                        "spring:k=3",      "damped-spring:k=2,c=1/3",
+                                        "drag:a=-9,c=1/4", "constant:a=1/3+spring:k=5"};
+  const std::vector<std::string> formats{"f16",        "bf16",       "f32",       "f64",     "x87",
+                                         "f128",       "dd",         "mpfr:30",   "f32+fma", "f32+kahan",
+                                         "f32+origin", "f64+tozero", "bf16+kahan"};
+  int closed = 0;
+  for (int repeat = 0; repeat < 120; ++repeat) {
+    const std::vector<Program>& all = catalogue();
+    const Program& program = all[static_cast<std::size_t>(pick(0, static_cast<int>(all.size()) - 1))];
+    if (family(program) == "engines") continue;
+    FloatQuestion q = question(program.name, forces[static_cast<std::size_t>(pick(0, 5))],
+                               Rational(pick(1, 9), pick(20, 60)));
+    q.substeps = pick(1, 3);
+    q.x0 = Rational(pick(-9, 9), 7);
+    const FloatFormat format = float_format(formats[static_cast<std::size_t>(pick(0, 12))]);
+    CAPTURE(program.name);
+    CAPTURE(q.force.text);
+    CAPTURE(format.name());
+    const int steps = pick(1, 60);
+    const Budget b = budget(format, q, steps);
+    if (b.not_finite_at) continue;
+    for (const BudgetLine& l : b.lines) {
+      CAPTURE(l.quantity);
+      CHECK(l.closes());
+    }
+    // What is bounded is bounded.
+    if (b.rounding_bound)
+      CHECK(std::abs(term(b.lines[0], "rounding").value.to_double()) <= *b.rounding_bound);
+    ++closed;
+  }
+  CHECK(closed >= 60);
+}
+
+TEST_CASE("each part is what its name says") {
+  // A dyadic step and dyadic numbers: nothing is lost by storing.
+  FloatQuestion q = question("velocity-verlet", "constant:a=-8", Rational(1, 64));
+  q.v0 = Rational(5, 2);
+  Budget b = budget(float_format("f64"), q, 100);
+  CHECK(term(b.lines[0], "representation").value.is_zero());
+  CHECK(term(b.lines[0], "rounding").value.is_zero());
+  CHECK(term(b.lines[0], "method").value.is_zero());
+  CHECK(b.lines[0].observed.is_zero());
+  CHECK_FALSE(b.differs_at.has_value());
+  // The method's part does not depend on the format, and is -a h t / 2 for symplectic Euler.
+  q = question("symplectic-euler", "constant:a=-9", Rational(1, 50));
+  for (const char* format : {"f16", "f32", "mpfr:40"}) {
+    b = budget(float_format(format), q, 50);
+    CHECK(term(b.lines[0], "method").value.contains(Rational(9, 2) / Rational(50)));
+    CHECK(b.differs_at == 1);
+  }
+  // Rounding shrinks with the format.
+  double last = 1;
+  for (const char* format : {"f16", "f32", "f64", "x87", "f128"}) {
+    b = budget(float_format(format), question("velocity-verlet", "spring:k=1", Rational(1, 10)), 200);
+    const double rounding = std::abs(term(b.lines[0], "rounding").value.to_double());
+    CHECK(rounding < last / 4);
+    last = rounding;
+  }
+}
+
+TEST_CASE("runs that blow up say when, and too many steps are refused with a way out") {
+  const Budget b =
+      budget(float_format("f16"), question("explicit-euler", "spring:k=100", Rational(1, 2)), 1000);
+  REQUIRE(b.not_finite_at.has_value());
+  CHECK(*b.not_finite_at < 20);
+  CHECK(b.lines.empty());
+  CHECK_THROWS_AS(budget(float_format("f32"), question("explicit-euler", "spring:k=1", 1), 3'000'000'000),
+                  Unable);
+  CHECK_THROWS_AS(budget(float_format("f32"), question("explicit-euler", "spring", 1), 10), BadInput);
+  CHECK_THROWS_AS(budget(float_format("f32"), question("explicit-euler", "spring:k=1", 1), 0), BadInput);
+}
