@@ -200,6 +200,13 @@ nlohmann::ordered_json as_json(const std::vector<Budget>& budgets) {
   return json;
 }
 
+namespace {
+
+/// Names that fit above a bar.
+std::string short_name(const std::string& part) { return part == "representation" ? "storing" : part; }
+
+}  // namespace
+
 Figure budget_figure(const std::vector<Budget>& budgets, const std::string& title) {
   Figure figure;
   figure.title = title;
@@ -210,7 +217,7 @@ Figure budget_figure(const std::vector<Budget>& budgets, const std::string& titl
     const BudgetLine& l = b.lines[0];
     Figure::Panel panel;
     panel.title = b.format.words();
-    panel.note = "exact minus computed: the parts from left to right, then their sum";
+    panel.note = "exact minus computed; the last is their sum";
     panel.y.label = l.quantity == "peak" ? "too low by" : "shortfall of " + l.quantity;
     panel.y.unit = scale.unit;
     panel.x.low = 0;
@@ -224,18 +231,18 @@ Figure budget_figure(const std::vector<Budget>& budgets, const std::string& titl
            0.6});
       low = std::min({low, from, to});
       high = std::max({high, from, to});
-      const Ball scaled = value * Ball(Rational(10).pow(scale.exponent), value.bits());
-      panel.labels.push_back({{at + 0.5, std::max(from, to)},
-                              name + " " + scaled.significant(4).value_or("0"),
-                              Figure::Ink::black,
-                              Figure::Align::centre,
-                              0.8});
+      std::array<char, 32> number{};
+      std::snprintf(number.data(), number.size(), "%.3g", value.to_double() * factor);
+      const Figure::Point top{at + 0.5, std::max(from, to)};
+      panel.labels.push_back({top, name, Figure::Ink::black, Figure::Align::centre, 1.9});
+      panel.labels.push_back({top, number.data(), Figure::Ink::dark, Figure::Align::centre, 0.7});
     };
     constexpr std::array<Figure::Ink, 4> kInks{Figure::Ink::sky, Figure::Ink::orange, Figure::Ink::green,
                                                Figure::Ink::vermillion};
     for (std::size_t i = 0; i < l.terms.size(); ++i) {
       const double next = level + l.terms[i].value.to_double() * factor;
-      bar(static_cast<double>(i), level, next, kInks[i % kInks.size()], l.terms[i].name, l.terms[i].value);
+      bar(static_cast<double>(i), level, next, kInks[i % kInks.size()], short_name(l.terms[i].name),
+          l.terms[i].value);
       level = next;
     }
     bar(static_cast<double>(l.terms.size()), 0, level, Figure::Ink::grey, "observed", l.observed);

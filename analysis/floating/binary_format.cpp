@@ -7,11 +7,8 @@
 
 namespace shortfall {
 
-namespace {
-
 Rational power_of_two(long exponent) { return Rational(2).pow(static_cast<int>(exponent)); }
 
-/// How many bits a positive number has before the point, minus 1: 2^result <= value < 2^(result + 1).
 long leading_bit(const Rational& value) {
   const mpz_class above = gmp_numerator(value), below = gmp_denominator(value);
   const long guess = static_cast<long>(mpz_sizeinbase(above.get_mpz_t(), 2)) -
@@ -20,6 +17,8 @@ long leading_bit(const Rational& value) {
                                    : (above << static_cast<unsigned long>(-guess)) < below;
   return too_high ? guess - 1 : guess;
 }
+
+namespace {
 
 /// Whether a positive number between two neighbours goes to the upper one in size.
 bool goes_up(const Rational& rest, const Rational& whole, bool negative, Rounding rounding) {

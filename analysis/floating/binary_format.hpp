@@ -38,4 +38,10 @@ struct BinaryFormat {
 std::optional<Rational> rounded(const Rational& value, const BinaryFormat& format,
                                 Rounding rounding = Rounding::nearest_even);
 
+/// How many bits a positive number has before the point, minus 1: 2^result <= value < 2^(result + 1).
+long leading_bit(const Rational& value);
+
+/// 2^exponent.
+Rational power_of_two(long exponent);
+
 }  // namespace shortfall

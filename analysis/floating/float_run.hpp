@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "analysis/floating/float_format.hpp"
 #include "analysis/motion/force.hpp"
@@ -48,6 +49,8 @@ class FloatRun {
   virtual std::pair<FloatNumber, FloatNumber> state() = 0;
   /// The same as binary64, rounded: for figures and searches.
   virtual std::pair<double, double> rough() = 0;
+  /// All carried vectors as binary64: the state, exactly for formats of at most 53 bits without variants.
+  virtual void carried(std::vector<double>& state) = 0;
 };
 
 /// throws  BadInput  for a letter of the force without a number;  Undefined  when a stage is singular

@@ -67,6 +67,10 @@ class TypedFloatRun : public FloatRun {
     access_.within([&] { s = run_->read_out(); });
     return {access_.rough(s.first), access_.rough(s.second)};
   }
+  void carried(std::vector<double>& state) override {
+    state.resize(tape_.states.size());
+    for (std::size_t s = 0; s < state.size(); ++s) state[s] = access_.rough(run_->state(static_cast<int>(s)));
+  }
 
  private:
   T acceleration(const T& x, const T& v, const T& t) const {
