@@ -98,7 +98,8 @@ struct KickDriftForms {
   Vector zero() const { return {}; }
   Vector acceleration(const Vector& x, const Vector&, const Scalar& t) {
     const Scalar late = t - x[1];
-    const bool in_time = std::ranges::all_of(late.coefficients(), [](const Field& f) { return zero_as_known(f); });
+    const bool in_time =
+        std::ranges::all_of(late.coefficients(), [](const Field& f) { return zero_as_known(f); });
     for (std::size_t k = 0; k < evaluations.size(); ++k) {
       if (!evaluations[k].x.agrees(x)) continue;
       evaluations[k].in_time = evaluations[k].in_time && in_time;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/series/splitting_force_correction.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "analysis/algebra/algebraic.hpp"
-#include "analysis/algebra/linear_solve.hpp"
-#include "analysis/algebra/row_echelon.hpp"
+#include "analysis/algebra/homological_equation.hpp"
+#include "analysis/algebra/rational_system.hpp"
 #include "analysis/algebra/word_series.hpp"
 
 namespace shortfall {
@@ -25,7 +26,7 @@ namespace {
 
 /// The conditions of a degree as they see the kicks of that degree.
 std::vector<std::vector<Rational>> conditions_on_kicks(int degree) {
-  const HomologicalEquation& equation = HomologicalEquation::of(VectorFields::mechanical, degree);
+  const RationalSystem& equation = homological_equation(VectorFields::mechanical, degree);
   const std::vector<int> kicks = position_only_kicks(degree);
   std::vector<std::vector<Rational>> matrix;
   for (const std::vector<Rational>& condition : equation.obstructions()) {
@@ -38,8 +39,8 @@ std::vector<std::vector<Rational>> conditions_on_kicks(int degree) {
 /// Whether the conditions of each degree below this one determine the kicks of that degree.
 bool kicks_are_determined(int below) {
   for (int degree = 2; degree < below; ++degree) {
-    const std::size_t kicks = position_only_kicks(degree).size();
-    if (row_echelon(conditions_on_kicks(degree), kicks).rank() < static_cast<int>(kicks)) return false;
+    const RationalSystem system(conditions_on_kicks(degree), position_only_kicks(degree).size());
+    if (system.kernel_dimension() > 0) return false;
   }
   return true;
 }
@@ -67,30 +68,25 @@ SplittingForceCorrection<Field> splitting_force_correction(const SplittingParts<
     if (!now.obstruction) return {std::move(kick), std::move(now), {}};
     const int n = now.obstruction->degree;
     const std::vector<int> kicks = position_only_kicks(n);
-    const auto& functionals = now.obstruction->functionals;
     // A kick of degree n, whatever the weights, enters L_n with their sum, which is 1 for a consistent step.
-    const std::vector<std::vector<Rational>> matrix = conditions_on_kicks(n);
-    std::vector<std::vector<Field>> left;
+    const RationalSystem system(conditions_on_kicks(n), kicks.size());
     std::vector<Field> right;
-    for (std::size_t r = 0; r < functionals.size(); ++r) {
-      left.emplace_back(matrix[r].begin(), matrix[r].end());
-      right.push_back(-now.obstruction->values[r]);
-    }
-    const LinearSolution<Field> found = solve_linear(left, right);
-    if (found.solution) {
+    for (const Field& value : now.obstruction->values) right.push_back(-value);
+    const std::vector<Field> residuals = system.residuals(right);
+    const auto violated = std::ranges::find_if(residuals, [](const Field& r) { return !zero_as_known(r); });
+    if (violated == residuals.end()) {
+      const std::vector<Field> added = system.solution(right);
       const LieQuotient& quotient = LieQuotient::of(kKind, degree);
       for (std::size_t k = 0; k < kicks.size(); ++k)
-        kick.at(n, quotient.basis(n)[static_cast<std::size_t>(kicks[k])]) += (*found.solution)[k];
+        kick.at(n, quotient.basis(n)[static_cast<std::size_t>(kicks[k])]) += added[k];
       continue;
     }
-    Field residual(0);
-    for (std::size_t r = 0; r < functionals.size(); ++r)
-      residual += found.certificate[r] * now.obstruction->values[r];
+    const auto row = static_cast<std::size_t>(violated - residuals.begin());
     typename SplittingForceCorrection<Field>::Limit limit{n,
-                                                          static_cast<int>(functionals.size()),
+                                                          static_cast<int>(right.size()),
                                                           static_cast<int>(kicks.size()),
-                                                          found.certificate,
-                                                          std::move(residual),
+                                                          system.obstructions()[row],
+                                                          -residuals[row],
                                                           kicks_are_determined(n)};
     return {std::move(kick), std::move(now), std::move(limit)};
   }
@@ -101,6 +97,7 @@ SplittingForceCorrection<Field> splitting_force_correction(const SplittingParts<
   template SplittingForceCorrection<Field> splitting_force_correction(const SplittingParts<Field>&, int);
 SHORTFALL_INSTANTIATE(Rational)
 SHORTFALL_INSTANTIATE(Algebraic)
+SHORTFALL_INSTANTIATE(KnownDigits)
 #undef SHORTFALL_INSTANTIATE
 
 }  // namespace shortfall

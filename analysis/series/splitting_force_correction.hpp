@@ -24,10 +24,10 @@ struct SplittingForceCorrection {
     int degree = 0;
     int conditions = 0;
     int unknowns = 0;
-    /// Multipliers of the conditions that no kick of this degree changes, while the method's error makes them
-    /// differ from 0: nothing could be added.
-    std::vector<Field> certificate;
-    Field residual;  ///< what they give: not 0
+    /// Multipliers of the obstruction's values that no kick of this degree changes, and the sum that they
+    /// give: not 0, so that no kick helps.
+    std::vector<Rational> certificate;
+    Field residual;
     /// Lower degrees left no choice of kicks, so that "impossible" holds for every position-only correction.
     bool conclusive = true;
   };

@@ -41,7 +41,7 @@ SplittingProcessing<Field> splitting_processing(const LieElement<Field>& logarit
   if (result.order == 0) return result;
   result.effective_order = 1;
   for (int n = 2; n <= degree; ++n) {
-    const HomologicalEquation& equation = HomologicalEquation::of(kind, n);
+    const RationalSystem& equation = homological_equation(kind, n);
     std::vector<Field> right = quotient.coordinates(n, now.part(n));
     for (Field& r : right) r = -r;
     std::vector<Field> values = equation.residuals(right);

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/series/splitting_force_correction.hpp"
 #include "analysis/series/splitting_processing.hpp"
 #include "analysis/series/splitting_reading.hpp"
 
@@ -62,8 +63,9 @@ std::optional<int> zero_to_digits(const LieElement<Field>& logarithm, int order)
 }
 
 template <class Field>
-SplittingClass described(const LieElement<Field>& logarithm, VectorFields kind, const Writer& write) {
-  const SplittingProcessing<Field> found = splitting_processing(logarithm, kind);
+SplittingClass described(const SplittingProcessing<Field>& found, const Writer& write) {
+  const VectorFields kind = found.kind;
+  const LieElement<Field>& logarithm = found.logarithm;
   SplittingClass result;
   result.kind = kind;
   result.modified = terms(found.logarithm, write);
@@ -103,28 +105,57 @@ void fill(SplittingReport& report, const KicksAndDrifts<Field>& parts, const Wri
   report.step = weights(parts.step, write);
   report.finish = weights(parts.finish, write);
   const LieElement<Field> logarithm = splitting_logarithm(parts.step, report.degree);
-  report.any = described(logarithm, VectorFields::any, write);
-  report.mechanical = described(logarithm, VectorFields::mechanical, write);
+  report.any = described(splitting_processing(logarithm, VectorFields::any), write);
+  report.mechanical = described(splitting_processing(logarithm, VectorFields::mechanical), write);
+}
+
+template <class Field>
+void fill(SplittingForceReport& report, const KicksAndDrifts<Field>& parts, int degree, const Writer& write) {
+  const SplittingForceCorrection<Field> found = splitting_force_correction(parts.step, degree);
+  report.proved = !std::is_same_v<Field, KnownDigits>;
+  report.kick = terms(found.kick, write);
+  report.processed = described(found.processing, write);
+  if (found.limit)
+    report.limit = {found.limit->degree, found.limit->conditions, found.limit->unknowns,
+                    write(found.limit->residual), found.limit->conclusive};
+}
+
+void check_degree(int degree) {
+  if (degree < 2 || degree > LyndonBasis::kHighestDegree)
+    throw Unable("the error of a splitting is known from degree 2 to " +
+                 std::to_string(LyndonBasis::kHighestDegree) + ", not to degree " + std::to_string(degree));
+}
+
+/// Calls use(parts) with the kicks and drifts, whatever their numbers are.
+template <class Use>
+void with_parts(const SplittingReading& reading, const Use& use) {
+  std::visit(
+      [&](const auto& parts) {
+        if constexpr (requires { parts.step; }) use(parts);
+      },
+      reading.parts);
 }
 
 }  // namespace
 
 SplittingReport splitting_report(const Program& program, int degree, const Values& given) {
-  if (degree < 2 || degree > LyndonBasis::kHighestDegree)
-    throw Unable("the error of a splitting is known from degree 2 to " +
-                 std::to_string(LyndonBasis::kHighestDegree) + ", not to degree " + std::to_string(degree));
+  check_degree(degree);
   const SplittingReading reading = splitting_reading(program, given);
   SplittingReport report;
   report.why_not = reading.why_not;
   report.generator = reading.generator;
   report.degree = degree;
-  const Writer write{reading};
-  if (const auto* rational = std::get_if<KicksAndDrifts<Rational>>(&reading.parts))
-    fill(report, *rational, write);
-  else if (const auto* algebraic = std::get_if<KicksAndDrifts<Algebraic>>(&reading.parts))
-    fill(report, *algebraic, write);
-  else if (const auto* digits = std::get_if<KicksAndDrifts<KnownDigits>>(&reading.parts))
-    fill(report, *digits, write);
+  with_parts(reading, [&](const auto& parts) { fill(report, parts, Writer{reading}); });
+  return report;
+}
+
+SplittingForceReport splitting_force_report(const Program& program, int degree, const Values& given) {
+  check_degree(degree);
+  const SplittingReading reading = splitting_reading(program, given);
+  SplittingForceReport report;
+  report.why_not = reading.why_not;
+  report.generator = reading.generator;
+  with_parts(reading, [&](const auto& parts) { fill(report, parts, degree, Writer{reading}); });
   return report;
 }
 

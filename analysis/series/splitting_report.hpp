@@ -64,6 +64,28 @@ struct SplittingReport {
   SplittingClass mechanical;  ///< for x'' = a(x) alone, where more brackets vanish
 };
 
+/// A position-only force in place of a, with launch and read-out, for x'' = a(x); see
+/// SplittingForceCorrection.
+struct SplittingForceReport {
+  std::string why_not;  ///< a clause; when not empty, the rest is empty
+  bool proved = false;
+  std::string generator;
+  std::vector<BracketTerm> kick;  ///< in place of B; [[A,B],B] is -2 a_x[a]
+  SplittingClass processed;       ///< the step with that kick
+  /// Why no further position-only kick helps; none when the degree asked for was reached.
+  struct Limit {
+    int degree = 0;
+    int conditions = 0;
+    int unknowns = 0;
+    SplittingCoefficient residual;
+    bool conclusive = true;  ///< it holds for every position-only correction
+  };
+  std::optional<Limit> limit;
+};
+
+/// throws  Unable  when the degree is not from 2 to 12
+SplittingForceReport splitting_force_report(const Program& program, int degree, const Values& given = {});
+
 /// throws  Unable  when the degree is not from 2 to 12
 SplittingReport splitting_report(const Program& program, int degree, const Values& given = {});
 

@@ -151,7 +151,7 @@ TEST_CASE("[c, A + B] = r is solved where it can be, and the functionals see whe
   for (const VectorFields kind : {VectorFields::any, kMechanical}) {
     for (int n = 2; n <= 8; ++n) {
       const LieQuotient& quotient = LieQuotient::of(kind, n);
-      const HomologicalEquation& equation = HomologicalEquation::of(kind, n);
+      const RationalSystem& equation = homological_equation(kind, n);
       const Element f = Element::a(n) + Element::b(n);
       CHECK(equation.kernel_dimension() == (n == 2 ? 1 : 0));
       CHECK(static_cast<int>(equation.obstructions().size()) ==
@@ -171,14 +171,14 @@ TEST_CASE("[c, A + B] = r is solved where it can be, and the functionals see whe
 }
 
 TEST_CASE("in degree 1 the solution is a kick alone") {
-  const HomologicalEquation& equation = HomologicalEquation::of(VectorFields::any, 2);
+  const RationalSystem& equation = homological_equation(VectorFields::any, 2);
   CHECK(equation.solution(std::vector<Rational>{Rational(1, 2)}) ==
         std::vector<Rational>{0, Rational(-1, 2)});
 }
 
 TEST_CASE("the obstruction of degree 3 is the sum of the coefficients of [A,[A,B]] and [[A,B],B]") {
   for (const VectorFields kind : {VectorFields::any, kMechanical}) {
-    const auto functionals = HomologicalEquation::of(kind, 3).obstructions();
+    const auto functionals = homological_equation(kind, 3).obstructions();
     REQUIRE(functionals.size() == 1);
     CHECK(functionals[0] == std::vector<Rational>{1, 1});
   }

@@ -8,6 +8,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/catalogue.hpp"
+#include "analysis/program/parse.hpp"
 #include "analysis/program/transform.hpp"
 
 using namespace shortfall;
@@ -122,4 +123,43 @@ TEST_CASE("what is no splitting says why and nothing else") {
 TEST_CASE("degrees beyond the table are refused") {
   CHECK_THROWS_AS(splitting_report(find_integrator("ruth3"), 13), Unable);
   CHECK_THROWS_AS(splitting_report(find_integrator("ruth3"), 1), Unable);
+}
+
+TEST_CASE("the force report on velocity Verlet is a + h^2/12 a_x[a], and why order 6 is out of reach") {
+  const SplittingForceReport report = splitting_force_report(find_integrator("velocity-verlet"), 6);
+  CHECK(report.proved);
+  REQUIRE(report.kick.size() == 2);
+  CHECK(term(report.kick, "B")->coefficient.exact == "1");
+  CHECK(term(report.kick, "[[A,B],B]")->coefficient.exact == "-1/24");
+  CHECK(report.processed.effective_order == 4);
+  CHECK(report.processed.effective_order_is_exact);
+  REQUIRE(report.processed.corrections.size() == 3);
+  CHECK(term(report.processed.corrections[1], "[A,B]")->coefficient.exact == "1/12");
+  REQUIRE(report.limit);
+  CHECK(report.limit->degree == 5);
+  CHECK(report.limit->conditions == 2);
+  CHECK(report.limit->unknowns == 1);
+  CHECK(report.limit->conclusive);
+  CHECK(report.limit->residual.exact == "-1/1440");
+}
+
+TEST_CASE("force corrections of splittings with algebraic weights and with published digits") {
+  const SplittingForceReport exact = splitting_force_report(find_integrator("mclachlan-s2"), 5);
+  CHECK(exact.proved);
+  CHECK(exact.processed.effective_order == 4);
+  CHECK_FALSE(term(exact.kick, "[[A,B],B]")->coefficient.exact.empty());
+  const SplittingForceReport digits = splitting_force_report(find_integrator("mclachlan-atela-4"), 5);
+  CHECK_FALSE(digits.proved);
+  CHECK(digits.processed.effective_order >= 4);
+  CHECK(splitting_force_report(find_integrator("rk4"), 5).why_not ==
+        "no kicks and drifts lead to the position of force evaluation 2");
+}
+
+TEST_CASE("parameters take the values that are given") {
+  const Program program = parse(
+      "integrator test\n  param s = 1/2\nsplitting\n  kick s\n  drift 1\n  kick 1 - s\n", "test.integrator");
+  CHECK(splitting_report(program, 4).any.order == 2);
+  const SplittingReport other = splitting_report(program, 4, {{"s", Rational(1, 3)}});
+  CHECK(other.any.order == 1);
+  CHECK(other.step[0].weight.exact == "1/3");
 }
