@@ -12,6 +12,8 @@
 #include "analysis/algebra/rational.hpp"
 #include "analysis/algebra/surd.hpp"
 #include "analysis/correction/jump.hpp"
+#include "analysis/audit/program_audit.hpp"
+#include "analysis/audit/tableau_audit.hpp"
 #include "analysis/correction/kit.hpp"
 #include "analysis/correction/kit_numbers.hpp"
 #include "analysis/correction/linear_kit.hpp"

@@ -21,6 +21,7 @@ const std::vector<std::string_view> kLayers = {
     "analysis/series/",
     "analysis/stability/",
     "analysis/correction/",
+    "analysis/audit/",
     "analysis/floating/",
     "analysis/trade/",
     "analysis/identify/",
