@@ -4,6 +4,7 @@
 #include "analysis/algebra/tree_series.hpp"
 #include "analysis/audit/conditions.hpp"
 #include "analysis/series/differential.hpp"
+#include "analysis/series/known_digits.hpp"
 
 namespace shortfall {
 
@@ -23,6 +24,11 @@ std::string exact_text(const Fraction& value) {
   return value.is_constant() ? value.constant().str() : "an irrational number";
 }
 
+std::string exact_text(const KnownDigits& value) {
+  constexpr int kShown = 6;
+  return "≈ " + value.ball().midpoint().significant(kShown);
+}
+
 }  // namespace
 
 template <class K>
@@ -31,7 +37,7 @@ std::optional<std::string> not_symmetric(const Method<K>& m, int order) {
     const TreeTable trees = trees_for(m.nystroem, n);
     const TreeSeries<K> map = map_of(m, trees), other = adjoint(trees, map);
     for (TreeId t = trees.begin(n); t < trees.end(n); ++t)
-      if (!vanishes(map[t] - other[t]))
+      if (!is_nothing(map[t] - other[t]))
         return differential(trees, t) + ": its weight is " + exact_text(map[t]) + ", that of the adjoint " +
                exact_text(other[t]);
   }
@@ -49,7 +55,7 @@ std::optional<std::string> not_symplectic(const Method<K>& m, int order) {
         if (trees.order(u) + trees.order(v) != n) continue;
         const TreeId uv = trees.product(u, v), vu = trees.product(v, u);
         const K excess = map[uv] + map[vu] - map[u] * map[v];
-        if (!vanishes(excess))
+        if (!is_nothing(excess))
           return "the trees " + tree_text(trees, uv) + " and " + tree_text(trees, vu) +
                  ": their weights differ from the product by " + exact_text(excess);
       }
@@ -61,5 +67,8 @@ template std::optional<std::string> not_symmetric(const Method<Rational>&, int);
 template std::optional<std::string> not_symmetric(const Method<Fraction>&, int);
 template std::optional<std::string> not_symplectic(const Method<Rational>&, int);
 template std::optional<std::string> not_symplectic(const Method<Fraction>&, int);
+
+template std::optional<std::string> not_symmetric(const Method<KnownDigits>&, int);
+template std::optional<std::string> not_symplectic(const Method<KnownDigits>&, int);
 
 }  // namespace shortfall

@@ -239,10 +239,7 @@ class Findings {
 
   /// Trees show that it is not so, whatever stages a tableau has too many.
   std::optional<std::string> shown_not(bool symplectic) const {
-    if constexpr (std::is_same_v<K, KnownDigits>)
-      return std::nullopt;
-    else
-      return symplectic ? not_symplectic(m_, structure_order()) : not_symmetric(m_, structure_order());
+    return symplectic ? not_symplectic(m_, structure_order()) : not_symmetric(m_, structure_order());
   }
 
   void structure(const std::string& word, bool symplectic, const std::optional<Stated<bool>>& stated) {
@@ -260,9 +257,7 @@ class Findings {
       return;
     }
     const auto shown = shown_not(symplectic);
-    // Decimals: the equations fail by more than the digits explain. They are necessary where no stage is
-    // superfluous.
-    const bool decided = shown || std::is_same_v<K, KnownDigits>;
+    const bool decided = shown.has_value();
     AuditClaim& c = claim(claimed,
                           !decided        ? Verdict::undecided
                           : stated->value ? Verdict::refuted
@@ -275,7 +270,7 @@ class Findings {
       c.reasons.push_back(where);
       if (shown) c.reasons.push_back(*shown);
     }
-    if (!shown && decided) c.digits = printed_digits(t_.program);
+    if (decided) c.digits = t_.numbers == AuditedTableau::Numbers::digits ? result_.digits : 0;
   }
 
   void structure() {
