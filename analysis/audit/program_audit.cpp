@@ -19,6 +19,8 @@ namespace {
 using Verdict = AuditClaim::Verdict;
 
 constexpr std::size_t kReasons = 3;
+constexpr double kClaimCost = 7;  // a claim that is wrong, rather than the step
+constexpr const char* kAll = "every claim";
 constexpr const char* kNoOrder = "no order: a free body does not move along a line at its velocity";
 
 std::string rounded(const KnownDigits& k) {
@@ -92,10 +94,16 @@ void add_order(const Program& program, const OrderDemand& demand, const AuditLim
   const std::string forces = " if " + demand.forces->force;
   c.claim = "order " + std::to_string(demand.order) + forces;
   c.digits = printed_digits(program);
-  const bool inconsistent = std::ranges::any_of(
-      claims, [](const AuditClaim& s) { return !s.stated && s.verdict == Verdict::refuted; });
+  for (const AuditClaim& s : claims)
+    if (!s.stated && s.verdict == Verdict::refuted) c.reasons.push_back(s.found);
+  if (!c.reasons.empty()) {
+    c.verdict = Verdict::refuted;
+    c.found = "order 0" + forces;
+    c.digits = 0;
+    claims.push_back(std::move(c));
+    return;
+  }
   try {
-    if (inconsistent) throw Undefined("");
     const SeriesSource source(program, {});
     OrderLimits order_limits;
     order_limits.highest = demand.order + 1;
@@ -192,6 +200,14 @@ std::optional<OrderDemand> demanded(const Program& program, const std::vector<Au
   return result;
 }
 
+/// Without any order claimed: that the drifts and kicks add up to 1 where they do not.
+std::optional<OrderDemand> consistency(const std::vector<AuditClaim>& claims) {
+  const bool fails = std::ranges::any_of(
+      claims, [](const AuditClaim& c) { return !c.stated && c.verdict == Verdict::refuted; });
+  if (!fails) return std::nullopt;
+  return OrderDemand{1, &force_class("position_only")};
+}
+
 /// The claims of a program about its tableau.
 TableauClaims tableau_claims(const Program& program, const std::optional<OrderDemand>& demand) {
   TableauClaims result;
@@ -218,8 +234,11 @@ void add_tableau(const Program& program, const std::optional<OrderDemand>& deman
   for (const AuditClaim& c : found.claims)
     if (!c.stated) audit.claims.insert(audit.claims.begin(), c);
   audit.kind = "Runge-Kutta tableau";
-  for (Mend& mend : tableau_mends(t, found, limits))
-    if (mend.kind != Mend::Kind::claim) audit.mends.push_back(std::move(mend));
+  for (Mend& mend : tableau_mends(t, found, limits)) {
+    if (mend.kind == Mend::Kind::claim) continue;
+    if (mend.restores == kAll) mend.restores = "every claim about the tableau";  // no other was decided anew
+    audit.mends.push_back(std::move(mend));
+  }
 }
 
 }  // namespace
@@ -240,12 +259,14 @@ Audit audit_program(const Program& program, const std::string& text, const std::
   };
   audit.claims = decide(program);
   add_facts(program, demand, limits, audit);
-  if (program.tableau)
+  if (program.tableau) {
     add_tableau(program, demand, limits, audit);
-  else if (!text.empty())
-    audit.mends = program_mends(text, program, audit.claims,
-                                demand ? demand : demanded(program, audit.claims), decide, limits);
-  const bool explained = !audit.mends.empty() && audit.mends.front().restores == "every claim";
+  } else if (!text.empty()) {
+    std::optional<OrderDemand> wanted = demand ? demand : demanded(program, audit.claims);
+    if (!wanted) wanted = consistency(audit.claims);
+    audit.mends = program_mends(text, program, audit.claims, wanted, decide, limits);
+  }
+  const bool explained = !audit.mends.empty() && audit.mends.front().restores.starts_with(kAll);
   for (const AuditClaim& c : audit.claims)
     if (c.verdict == Verdict::refuted && c.stated && !explained)
       audit.mends.push_back({Mend::Kind::claim,
@@ -254,7 +275,7 @@ Audit audit_program(const Program& program, const std::string& text, const std::
                              "this claim",
                              0,
                              c.digits,
-                             7});
+                             kClaimCost});
   return audit;
 }
 

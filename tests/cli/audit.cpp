@@ -148,6 +148,21 @@ TEST_CASE("claims of an .integrator file are decided, and a slip in its step is 
   CHECK(sums);
 }
 
+TEST_CASE("kicks that do not add up to 1 are mended without any claim") {
+  Folder f;
+  f.write("mine.integrator", "integrator mine\nsplitting\n  kick 1/2\n  drift 1\n  kick 7/5\n");
+  const auto json = f.json("mine.integrator");
+  CHECK(f.code == 1);
+  CHECK(json["claims"][1]["claim"] == "the kicks add up to 1");
+  CHECK(json["claims"][1]["holds"] == false);
+  CHECK(json["claims"][1]["found"] == "the kicks add up to 19/10");
+  // Either kick may be the wrong one.
+  REQUIRE(json["mends"].size() == 2);
+  CHECK(json["mends"][0]["changes"][0]["right"] == "kick 1/2");
+  CHECK(json["mends"][0]["conditions_that_confirm"] == 0);
+  CHECK(json["mends"][1]["changes"][0]["right"] == "kick -2/5");
+}
+
 TEST_CASE("an integrator that is written as a tableau is audited entry by entry") {
   Folder f;
   f.write("mine.integrator",
