@@ -9,152 +9,165 @@ namespace shortfall {
 
 namespace {
 
-/// The binade of a number: 2^low <= |value| < 2^(low + 1); subnormals share the lowest one with zero.
-struct Binade {
-  Rational low, high;
-  bool operator==(const Binade&) const = default;
-};
-Binade binade_of(const Rational& value, const BinaryFormat& format) {
-  const long lowest = format.least_unit + format.precision - 1;  // of normal numbers
-  const long e = value.is_zero() ? lowest : std::max(leading_bit(value.abs()), lowest);
-  return {e == lowest ? Rational() : power_of_two(e), power_of_two(e + 1)};
+Rational stored(const Rational& value, const ClockArithmetic& a, const char* what) {
+  const auto result = rounded(value, a.format, a.rounding);
+  if (!result)
+    throw BadInput(std::string(what) + " is too large for the format " + a.format_name +
+                   ", whose largest number is " + a.format.largest().significant(6));
+  return *result;
 }
 
-class Walk {
- public:
-  explicit Walk(const Accumulator& clock) : clock_(clock), at_(clock.start) {}
+void check(const ClockQuestion& q) {
+  if (q.dt.is_zero()) throw BadInput("dt is 0: such a clock stands still");
+  if (q.velocity && q.velocity->is_zero()) throw BadInput("the velocity is 0: such a body stays where it is");
+  if (q.additions.sign() < 0 || !q.additions.is_integer())
+    throw BadInput("a number of steps is a whole number, 0 or more, not " + q.additions.significant(6));
+  if (q.compensated && q.fused)
+    throw BadInput("Kahan's sum adds a stored increment: it has no fused product");
+}
 
-  const Rational& at() const { return at_; }
-  const Rational& done() const { return done_; }
-  Binade binade() const { return binade_of(at_, clock_.format); }
-  bool infinite() const { return infinite_; }
-  bool frozen() const { return frozen_; }
-  const std::optional<Rational>& exact_additions() const { return exact_additions_; }
-  std::vector<Stretch> stretches;
-
-  /// One addition.
-  void step() {
-    const auto next = rounded(at_ + clock_.increment, clock_.format, clock_.rounding);
-    if (!next) {
-      infinite_ = true;
-      return;
+/// Runs that share a spacing, put together.
+std::vector<ClockSpeed> speeds(const AccumulatorPath& a, const Rational& advance) {
+  std::vector<ClockSpeed> result;
+  Rational most;  // additions of the longest run of the last row
+  for (const AccumulatorRun& r : a.runs) {
+    const bool same = !result.empty() && result.back().unit == r.unit && result.back().exact == r.exact &&
+                      (result.back().to.sign() < 0) == (r.to().sign() < 0);
+    if (!same) {
+      result.push_back({r.before, 0, r.from, r.from, r.unit, r.exact, 0, 0, 0});
+      most = 0;
     }
-    advance(*next - at_, 1);
+    ClockSpeed& row = result.back();
+    row.additions += r.additions;
+    row.to = r.to();
+    // The last of equally long ones: what is constant comes after what is not.
+    if (r.additions >= most) {
+      most = r.additions;
+      row.increment = r.increment;
+      row.entering = row.additions - most;
+      row.rate = row.increment / advance;
+    }
   }
-
-  /// As many additions of the size of the last one as stay inside the binade, at most `most`.
-  void jump(const Rational& most) {
-    if (stretches.empty() || frozen_) return;
-    const Rational added = stretches.back().added;
-    const Binade binade = this->binade();
-    const Rational size = at_.abs(), margin = clock_.increment.abs() + added.abs();
-    const bool outwards = at_.is_zero() || (at_.sign() > 0) == (added.sign() > 0);
-    // All sums on the way stay clear of the binade's ends, so that they are rounded to the same unit.
-    const Rational room = outwards ? binade.high - size - margin : size - binade.low - margin;
-    if (room.sign() <= 0) return;
-    const Rational times = std::min((room / added.abs()).floor(), most);
-    if (times.sign() > 0) advance(added, times);
-  }
-
- private:
-  void advance(const Rational& added, const Rational& times) {
-    if (!exact_additions_ && added != clock_.increment) exact_additions_ = done_;
-    if (!stretches.empty() && stretches.back().added == added)
-      stretches.back().additions += times;
-    else
-      stretches.push_back({at_, added, times});
-    at_ += added * times;
-    done_ += times;
-    frozen_ = added.is_zero();
-  }
-
-  const Accumulator& clock_;
-  Rational at_, done_;
-  std::optional<Rational> exact_additions_;
-  bool infinite_ = false, frozen_ = false;
-};
-
-void check(const Accumulator& clock) {
-  if (clock.increment.is_zero()) throw BadInput("a clock with dt = 0 stands still");
-  for (const Rational* r : {&clock.start, &clock.increment})
-    if (rounded(*r, clock.format) != std::optional<Rational>(*r))
-      throw BadInput(r->significant(8) + " is no number of the format");
+  return result;
 }
 
-/// Three additions, then as far as the binade allows. The first may come from another binade, the second
-/// leaves what a tie leaves, the third is what all others are.
-void advance(Walk& walk, const Rational& most) {
-  const auto goes_on = [&] { return walk.done() < most && !walk.infinite() && !walk.frozen(); };
-  if (goes_on()) walk.step();
-  const Binade binade = walk.binade();
-  for (int k = 0; k < 2; ++k) {
-    if (!goes_on()) return;
-    walk.step();
-    if (walk.infinite() || walk.binade() != binade) return;
-  }
-  if (goes_on()) walk.jump(most - walk.done());
+/// What a clock reads that counts steps and makes a time of them only when it is read.
+std::optional<Rational> read_out(const ClockQuestion& q, const Rational& start, const Rational& factor,
+                                 bool divide) {
+  const BinaryFormat& f = q.format;
+  const Rounding r = q.rounding;
+  const auto count = rounded(q.additions, f, r);
+  if (!count) return std::nullopt;
+  const auto moved = rounded(divide ? *count / factor : *count * factor, f, r);
+  if (!moved) return std::nullopt;
+  return rounded(start + *moved, f, r);
 }
 
-/// An addition that changes nothing is the last that matters: a tie needs no second look, as the value stays.
-std::optional<Accumulation::Freeze> freeze_of(const Walk& walk) {
-  if (!walk.frozen()) return std::nullopt;
-  Rational before = walk.done();
-  before -= walk.stretches.back().additions;
-  return Accumulation::Freeze{walk.at(), before};
+void set_value(ClockAlternative& a, std::optional<Rational> value, const Rational& exact) {
+  if (value) a.shortfall = exact - *value;
+  a.value = std::move(value);
+}
+
+/// The power of two nearest to a positive number, by ratio rounded down to a factor 3/2.
+Rational nearest_power_of_two(const Rational& value) {
+  Rational power(1);
+  while (power > value) power /= Rational(2);
+  while (power * Rational(2) <= value) power *= Rational(2);
+  return value - power <= power * Rational(2) - value ? power : power * Rational(2);
+}
+
+/// The same additions in a wider format, which is given dt as it is meant.
+std::optional<ClockAlternative> wider(const ClockQuestion& q) {
+  ClockArithmetic wide = clock_arithmetic(q.format.precision < 53 ? "f64" : "f128");
+  wide.rounding = q.rounding;
+  const auto stored = [&](const Rational& value) { return rounded(value, wide.format, wide.rounding); };
+  const auto dt = stored(q.dt), v = stored(q.velocity.value_or(1)), start = stored(q.start);
+  if (!dt || !v || !start) return std::nullopt;
+  const auto step = q.fused ? std::optional(*dt * *v) : stored(*dt * *v);
+  if (!step || step->is_zero()) return std::nullopt;
+  ClockAlternative a{.kind = ClockAlternative::Kind::wider, .arithmetic = wide};
+  set_value(a, accumulated(Accumulator{wide.format, wide.rounding, *start, *step}, q.additions).value,
+            q.start + q.additions * q.advance());
+  return a;
+}
+
+std::vector<ClockAlternative> alternatives(const ClockReport& c, const Progress& progress) {
+  using Kind = ClockAlternative::Kind;
+  const ClockQuestion& q = c.question;
+  const ClockArithmetic& own = q;
+  std::vector<ClockAlternative> result;
+  const Rational rate = Rational(1) / q.advance().abs();
+  if (!q.velocity && rate.is_integer() && rounded(rate, own.format, own.rounding) == rate) {
+    ClockAlternative a{.kind = Kind::divided, .rate = rate};
+    set_value(a, read_out(q, c.stored_start, q.dt.sign() < 0 ? -rate : rate, true), c.meant);
+    result.push_back(std::move(a));
+  }
+  ClockAlternative product{.kind = Kind::multiplied};
+  set_value(product, c.by_multiplication, c.meant);
+  result.push_back(std::move(product));
+  if (own.fixed_point) return result;
+  if (!own.compensated) {
+    ClockAlternative a{.kind = Kind::compensated};
+    if (rounded(c.increment, own.format, own.rounding) == c.increment) {
+      a.sum = compensated_clock(c.stored_start, c.increment, own.format, own.rounding, q.additions,
+                                std::min(q.most_stepped, Rational(1'000'000)), progress);
+      set_value(a, a.sum->value, c.meant);
+      result.push_back(std::move(a));
+    }
+  }
+  if (own.format.precision < 113) {
+    if (auto wide = wider(q)) result.push_back(std::move(*wide));
+  }
+  const Rational power = nearest_power_of_two(q.dt.abs());
+  const Rational exact_until = Rational(2).pow(own.format.precision);
+  if (!q.velocity && q.start.is_zero() && power != q.dt.abs() &&
+      rounded(power, own.format, own.rounding) == power &&
+      rounded(exact_until * power, own.format, own.rounding)) {
+    ClockAlternative a{.kind = Kind::dyadic, .step = q.dt.sign() < 0 ? -power : power};
+    a.exact_additions = exact_until;
+    result.push_back(std::move(a));
+  }
+  return result;
 }
 
 }  // namespace
 
-Accumulation accumulated(const Accumulator& clock, const Rational& additions) {
-  check(clock);
-  if (!additions.is_integer() || additions.sign() < 0)
-    throw BadInput("a number of additions is a whole number, 0 or more");
-  Walk walk(clock);
-  while (walk.done() < additions && !walk.infinite() && !walk.frozen()) advance(walk, additions);
-  Accumulation result;
-  result.additions = additions;
-  if (!walk.infinite()) result.value = walk.at();
-  result.exact_additions = walk.exact_additions();
-  result.freezes = freeze_of(walk);
-  result.stretches = std::move(walk.stretches);
-  return result;
-}
-
-std::optional<Accumulation::Freeze> freezing_point(const Accumulator& clock) {
-  check(clock);
-  Walk walk(clock);
-  const Rational always = Rational(10).pow(400'0);  // more additions than any format's numbers
-  while (!walk.infinite() && !walk.frozen()) advance(walk, always);
-  return freeze_of(walk);
-}
-
-ClockReport clock_report(const ClockQuestion& q) {
-  ClockReport r;
-  r.question = q;
-  const auto stored = [&](const Rational& value, const char* what) {
-    const auto kept = rounded(value, q.format, q.rounding);
-    if (!kept) throw BadInput(std::string(what) + " is infinite in " + q.format_name);
-    return *kept;
-  };
-  const Rational dt = stored(q.kept_dt.value_or(q.dt), "dt");
-  r.increment = q.velocity ? stored(stored(*q.velocity, "the velocity") * dt, "the move of a step") : dt;
-  if (r.increment.is_zero())
-    throw BadInput("what is added is 0 in " + q.format_name + ": too small a number");
-  const Accumulator clock{q.format, q.rounding, stored(q.start, "the start"), r.increment};
-  r.meant = q.start + q.additions * (q.velocity ? *q.velocity * q.dt : q.dt);
-  r.stored_meant = clock.start + q.additions * r.increment;
-  r.run = accumulated(clock, q.additions);
-  r.freezes = freezing_point(clock);
-  if (const auto n = rounded(q.additions, q.format, q.rounding))
-    if (const auto product = rounded(*n * r.increment, q.format, q.rounding))
-      r.by_multiplication = rounded(clock.start + *product, q.format, q.rounding);
-  const Rational u =
-      power_of_two((q.rounding == Rounding::nearest_even || q.rounding == Rounding::nearest_away ? 0 : 1) -
-                   q.format.precision);
-  const Rational terms = q.additions + Rational(clock.start.is_zero() ? 0 : 1);
-  r.compensated_bound =
-      (Rational(2) * u + Rational(4) * terms * u * u) * (clock.start.abs() + q.additions * r.increment.abs());
-  return r;
+ClockReport clock_report(const ClockQuestion& q, const Progress& progress) {
+  check(q);
+  ClockReport c;
+  c.question = q;
+  c.stored_dt = stored(q.kept_dt.value_or(q.dt), q, "dt");
+  c.stored_start = stored(q.start, q, "the start");
+  Rational product = c.stored_dt;
+  if (q.velocity) {
+    c.stored_velocity = stored(*q.velocity, q, "the velocity");
+    product *= *c.stored_velocity;
+  }
+  c.increment = q.velocity && !q.fused ? stored(product, q, "v dt") : product;
+  if (c.increment.is_zero())
+    throw BadInput("what is added is 0 in " + q.format_name + ", whose smallest number is " +
+                   q.format.smallest().significant(6) + ": such a clock stands still");
+  c.meant = q.start + q.additions * q.advance();
+  c.stored_meant = c.stored_start + q.additions * product;
+  c.representation = c.meant - c.stored_meant;
+  c.path = accumulator_path({q.format, q.rounding, c.stored_start, c.increment}, q.additions);
+  c.run = part_of(c.path, q.additions);
+  c.freezes = freeze_of(c.path);
+  c.speeds = speeds(c.path, q.advance());
+  if (q.compensated) {
+    c.kahan = compensated_clock(c.stored_start, c.increment, q.format, q.rounding, q.additions,
+                                q.most_stepped, progress);
+    c.value = c.kahan->value;
+  } else {
+    c.value = c.run.value;
+  }
+  if (c.value) {
+    c.rounding_part = c.stored_meant - *c.value;
+    c.shortfall = c.meant - *c.value;
+  }
+  c.by_multiplication = read_out(q, c.stored_start, c.increment, false);
+  c.instead = alternatives(c, progress);
+  return c;
 }
 
 }  // namespace shortfall
