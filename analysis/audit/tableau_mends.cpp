@@ -26,6 +26,8 @@ constexpr double kWithoutCheck = 4;  // a value that nothing confirms
 constexpr double kClaim = 7;         // a claim that is wrong, rather than a coefficient
 constexpr double kNotAll = 3;        // claims are left that do not hold
 constexpr double kNeighbour = 1.9;
+constexpr double kLongText = 0.05;  // for each character of a number that is not that of its neighbour
+constexpr double kElsewhere = 0.3;  // tableaus repeat their numbers
 constexpr double kLongTime = 0.02;  // for each digit of the time of a stage: authors like simple times
 
 template <class K>
@@ -250,6 +252,9 @@ class Mends {
   /// A slip of the pen, or of the eye: what is printed stands beside it too.
   Slip likely_slip(const Cell& cell, const std::string& printed, const std::string& right) const {
     Slip s = slip(printed, right);
+    const std::vector<Cell> all = cells(t_.texts);
+    if (std::ranges::any_of(all, [&](const Cell& other) { return t_.texts.at(other) == right; }))
+      s.cost -= kElsewhere;
     if (s.cost <= kNeighbour || t_.digits.at(cell).is_zero()) return s;
     std::vector<Cell> beside;
     for (const int step : {-1, 1}) {
@@ -262,7 +267,9 @@ class Mends {
       if (in_range(cell.j)) beside.push_back({cell.part, cell.i, cell.j + step});
     }
     for (const Cell& other : beside)
-      if (t_.texts.at(other) == printed) return {"the entry is that of its neighbour", kNeighbour};
+      if (t_.texts.at(other) == printed)
+        return {"the entry is that of its neighbour",
+                kNeighbour + kLongText * static_cast<double>(right.size())};
     return s;
   }
 

@@ -29,8 +29,8 @@ class Attempt {
 
   bool excluded() {
     if (!trial_.exchanged.empty()) return !exchanged();
-    if (trial_.unknowns.size() > 1) return false;
     before_ = conditions_.defects(m_);
+    if (trial_.unknowns.size() > 1) return !two_unknowns() && !open_;
     const Solution s = solution();
     return s.impossible || (s.amount && !hold(moved({*s.amount})));
   }
@@ -130,6 +130,7 @@ class Attempt {
       if (!hold(m)) return std::nullopt;
       return Outcome<K>{std::move(m), static_cast<int>(dependent.size()) - 2};
     }
+    open_ = true;
     return std::nullopt;
   }
 
@@ -137,6 +138,7 @@ class Attempt {
   Method<K> m_;
   const Conditions& conditions_;
   std::vector<K> before_;
+  bool open_ = false;  ///< the conditions are too few to give two unknowns
 };
 
 }  // namespace

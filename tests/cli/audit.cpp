@@ -224,6 +224,19 @@ TEST_CASE("a claim of order 20 that is false is refuted at once, within little m
   CHECK(f.code == 1);
   CHECK(contains(f.out, "refuted: order 4"));
   CHECK(contains(f.out, "order 4 instead of order 20"));
+  // Many stages, and a wrong entry besides.
+  std::string rows, weights;
+  for (int i = 0; i < 24; ++i) {
+    std::string row;
+    for (int j = 0; j < i; ++j)
+      row += (row.empty() ? "" : ", ") + std::string(i == 23 && j == 3 ? "\"1/7\"" : "\"1/24\"");
+    rows += (i > 0 ? ", [" : "[") + row + "]";
+    weights += std::string(i > 0 ? ", " : "") + "\"1/24\"";
+  }
+  f.write("many.json", "{\"A\": [" + rows + "], \"b\": [" + weights + "], \"order\": 20}");
+  f.run("many.json", "ulimit -v 400000; timeout 20");
+  CHECK(f.code == 1);
+  CHECK(contains(f.out, "order 1 instead of order 20"));
 }
 
 TEST_CASE("singular implicit tableaus are audited like others: their series exist") {
