@@ -126,6 +126,14 @@ std::string as_text(const OrderReport& r, const SeriesSource& source, Style styl
   const Structure& s = r.structure;
   text += "\n  symmetric     " + property("symmetric", s.symmetric, r.order.digits) + "\n";
   text += "  symplectic    " + property("symplectic", s.symplectic, r.order.digits) + "\n";
+  if (s.conjugate_symplectic)
+    text += "    conjugate   " +
+            property("conjugate to a symplectic step", *s.conjugate_symplectic, r.order.digits) + "\n";
+  text += "  energy        " +
+          (s.energy_preserving.holds() ? "v^2/2 + V is kept as far as trees up to order " +
+                                             std::to_string(s.energy_preserving.up_to) + " tell"
+                                       : "v^2/2 + V is not kept: " + s.energy_preserving.how) +
+          "\n";
   if (s.stage_order) text += "  stage order   " + std::to_string(*s.stage_order) + "\n";
   if (s.embedded_order) text += "  embedded      order " + std::to_string(*s.embedded_order) + "\n";
   if (s.row_sums && !*s.row_sums) text += "  c = A 1       no: some c is not the sum of its row\n";
@@ -163,6 +171,10 @@ nlohmann::ordered_json as_json(const OrderReport& r, const SeriesSource& source)
   };
   json["symmetric"] = property_json(r.structure.symmetric);
   json["symplectic"] = property_json(r.structure.symplectic);
+  json["conjugate_symplectic"] = r.structure.conjugate_symplectic
+                                     ? property_json(*r.structure.conjugate_symplectic)
+                                     : nlohmann::ordered_json(nullptr);
+  json["energy_preserving"] = property_json(r.structure.energy_preserving);
   const auto or_null = [](const auto& value) {
     return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
   };

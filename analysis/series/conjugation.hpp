@@ -38,6 +38,8 @@ class Conjugation {
   const std::vector<TreeId>& unknowns() const { return unknowns_; }  ///< trees of order - 1
   const std::vector<TreeId>& free() const { return free_; }          ///< trees of the order itself
   const std::vector<TreeId>& equations() const { return equations_; }
+  /// [c, F], one row for each of equations(), whole numbers.
+  const std::vector<std::vector<int>>& matrix() const { return matrix_; }
 
   /// [c, F] + free = right side, or a certificate that there is none.
   ///

@@ -2,66 +2,16 @@
 #include "analysis/series/hamiltonian.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/series/differential.hpp"
+#include "analysis/series/free_trees.hpp"
 
 namespace shortfall {
 
 namespace {
 
-constexpr int kForce = 0, kDrift = 1;
-
-/// Trees with the force at the root that are one free tree, seen from different roots.
-class FreeTrees {
- public:
-  FreeTrees(const TreeTable& table, int order) : table_(table), begin_(table.begin(order)) {
-    parent_.resize(static_cast<std::size_t>(table.end(order) - begin_));
-    std::iota(parent_.begin(), parent_.end(), begin_);
-    for (TreeId t = begin_; t < table.end(order); ++t)
-      if (table.function(t) == kForce)
-        for (TreeId other : neighbours(t)) join(t, other);
-  }
-
-  TreeId representative(TreeId t) {
-    TreeId& p = parent_[static_cast<std::size_t>(t - begin_)];
-    return p == t ? t : p = representative(p);
-  }
-
-  /// The same tree with the root moved over a drift node to the next force.
-  std::vector<TreeId> neighbours(TreeId t) const {
-    std::vector<TreeId> result;
-    const std::vector<TreeId> children = table_.children(t);
-    for (std::size_t i = 0; i < children.size(); ++i) {
-      if (table_.function(children[i]) != kDrift || table_.is_node(children[i])) continue;
-      if (i > 0 && children[i] == children[i - 1]) continue;
-      // What remains at the old root hangs from the new one.
-      TreeId rest = table_.node(kForce);
-      for (std::size_t j = children.size(); j-- > 0;)
-        if (j != i) rest = table_.product(rest, children[j]);
-      result.push_back(table_.product(table_.right(children[i]), table_.product(table_.node(kDrift), rest)));
-    }
-    return result;
-  }
-
- private:
-  void join(TreeId a, TreeId b) {
-    a = representative(a);
-    b = representative(b);
-    parent_[static_cast<std::size_t>(std::max(a, b) - begin_)] = std::min(a, b);
-  }
-  const TreeTable& table_;
-  TreeId begin_;
-  std::vector<TreeId> parent_;
-};
-
-/// How many forces a tree has.
-int forces_in(const TreeTable& table, TreeId t) {
-  int count = table.function(t) == kForce ? 1 : 0;
-  for (TreeId c : table.children(t)) count += forces_in(table, c);
-  return count;
-}
+constexpr int kForce = FreeTrees::kForce, kDrift = FreeTrees::kDrift;
 
 /// The derivative of V that a node with so many children is, the root's own index counted or not.
 std::string derivative(std::size_t by_space, std::size_t by_time, bool latex) {

@@ -32,10 +32,10 @@ struct ProcessingQuestion {
 struct Processing {
   std::string integrator;
   const ForceClass* forces = nullptr;
-  int plain_order = 0;           ///< of the step by itself
-  int effective_order = 0;       ///< with launch and read-out (and the force)
-  bool complete = false;         ///< as far as was asked; otherwise the obstruction says why not
-  bool proved = true;  ///< exact, and nothing was left open that could have been chosen in another way
+  int plain_order = 0;      ///< of the step by itself
+  int effective_order = 0;  ///< with launch and read-out (and the force)
+  bool complete = false;    ///< as far as was asked; otherwise the obstruction says why not
+  bool proved = true;       ///< exact, and nothing was left open that could have been chosen in another way
   std::vector<FieldTerm> force;  ///< what is added to a; power of h as in a + h^2/12 a_x a
   std::vector<FieldTerm>
       launch;  ///< what is added to x0 and v0; h^power includes the step: order of the tree

@@ -62,7 +62,9 @@ void check_scales(const Program& program, const Values& given, const Step& step)
 }
 
 /// What numbers printed to so many digits cannot tell from zero; two digits are allowed for what a sum loses.
-Rational tolerance(int digits) { return digits > 2 ? Rational(1) / Rational(10).pow(digits - 2) : Rational(); }
+Rational tolerance(int digits) {
+  return digits > 2 ? Rational(1) / Rational(10).pow(digits - 2) : Rational();
+}
 
 bool is_rational(const Tape& tape, const TreeTable& table, int digits) {
   try {

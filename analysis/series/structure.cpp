@@ -6,6 +6,7 @@
 
 #include "analysis/series/differential.hpp"
 #include "analysis/series/hamiltonian.hpp"
+#include "analysis/series/invariants.hpp"
 #include "analysis/series/order.hpp"
 #include "analysis/series/splitting_reading.hpp"
 
@@ -168,6 +169,15 @@ Structure structure(const SeriesSource& source) {
   const PartsFound parts = parts_of(source.program(), source.values());
   s.symmetric = symmetric(source, parts);
   s.symplectic = symplectic(source, parts);
+  for (const int order : std::span(kOthers).first(3)) {
+    s.energy_preserving = energy_preserving(source, order);
+    if (!s.energy_preserving.holds()) break;
+  }
+  if (!s.symplectic.holds())
+    for (const int order : std::span(kOthers).first(3)) {
+      s.conjugate_symplectic = conjugate_symplectic(source, order);
+      if (!s.conjugate_symplectic->holds()) break;
+    }
   if (source.has_tableau()) {
     const ButcherTableau<Fraction> t = source.tableau<Fraction>();
     s.stage_order = stage_order(source, t);

@@ -27,6 +27,10 @@ struct Structure {
   Property symmetric;
   /// The area of phase space is kept, for a = -V'(x) or -V'(x, t).
   Property symplectic;
+  /// A change of variables makes it symplectic; looked at where it is not symplectic itself.
+  std::optional<Property> conjugate_symplectic;
+  /// v^2/2 + V itself is kept, for a = -V'(x).
+  Property energy_preserving;
   /// Of tableaus: every stage is right to this order (the simplifying condition C).
   std::optional<int> stage_order;
   std::optional<int> embedded_order;
