@@ -71,6 +71,7 @@ void add_order(CLI::App& app, int& code);
 void add_modified(CLI::App& app, int& code);
 void add_audit(CLI::App& app, int& code);
 void add_budget(CLI::App& app, int& code);
+void add_clock(CLI::App& app, int& code);
 void add_cycle(CLI::App& app, int& code);
 void add_extremes(CLI::App& app, int& code);
 void add_damping(CLI::App& app, int& code);

@@ -29,6 +29,7 @@ int run(int argc, char** argv) {
   add_modified(app, code);
   add_audit(app, code);
   add_budget(app, code);
+  add_clock(app, code);
   add_cycle(app, code);
   add_extremes(app, code);
   add_damping(app, code);

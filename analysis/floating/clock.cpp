@@ -31,8 +31,9 @@ std::vector<ClockSpeed> speeds(const AccumulatorPath& a, const Rational& advance
   std::vector<ClockSpeed> result;
   Rational most;  // additions of the longest run of the last row
   for (const AccumulatorRun& r : a.runs) {
-    const bool same = !result.empty() && result.back().unit == r.unit && result.back().exact == r.exact &&
-                      (result.back().to.sign() < 0) == (r.to().sign() < 0);
+    const bool same =
+        !result.empty() && result.back().exact == r.exact &&
+        (r.exact || (result.back().unit == r.unit && (result.back().to.sign() < 0) == (r.to().sign() < 0)));
     if (!same) {
       result.push_back({r.before, 0, r.from, r.from, r.unit, r.exact, 0, 0, 0});
       most = 0;
@@ -150,7 +151,9 @@ ClockReport clock_report(const ClockQuestion& q, const Progress& progress) {
   c.meant = q.start + q.additions * q.advance();
   c.stored_meant = c.stored_start + q.additions * product;
   c.representation = c.meant - c.stored_meant;
-  c.path = accumulator_path({q.format, q.rounding, c.stored_start, c.increment}, q.additions);
+  // Sums in a fixed-point word are never rounded: it is full or it is not.
+  const Rounding of_sums = q.fixed_point ? Rounding::nearest_even : q.rounding;
+  c.path = accumulator_path({q.format, of_sums, c.stored_start, c.increment}, q.additions);
   c.run = part_of(c.path, q.additions);
   c.freezes = freeze_of(c.path);
   c.speeds = speeds(c.path, q.advance());
