@@ -74,7 +74,7 @@ class Text {
   std::string reading() const;
   std::string known() const;
   std::string speed() const;
-  std::string row(const ClockSpeed& s) const;
+  std::string row(const ClockSpeed& s, const ClockSpeed& last) const;
   std::string stop() const;
   Rational next_distance(const Rational& at) const;
   std::string equal_to_power(const Rational& value) const;
@@ -175,18 +175,17 @@ std::string Text::how(const CompensatedClock& sum) const {
          " additions are too many to carry out";
 }
 
-std::string Text::row(const ClockSpeed& s) const {
-  const ClockRange size = range(s, q_.format);
+std::string Text::row(const ClockSpeed& s, const ClockSpeed& last) const {
   const auto end = [&](const Rational& value) {
     const std::string power = power_of_two_text(value);
     const bool handy =
         value.is_zero() || (value.abs() < Rational(1'000'000) && value.abs() >= Rational(1, 1000));
-    return handy || power.empty() ? value.significant(6) : power;
+    return handy || power.empty() ? shown(value, 6) : power;
   };
-  const bool here = s.before < q_.additions && q_.additions <= s.before + s.additions;
+  const bool here = s.before < q_.additions && q_.additions <= last.before + last.additions;
   std::string text = std::string(here ? "> " : "  ") +
-                     padded(trimmed(end(size.from)) + " to " + trimmed(end(size.to)), 24) + " " +
-                     padded(counted(s.before + Rational(1)), 21) + " ";
+                     padded(end(range(s, q_.format).from) + " to " + end(range(last, q_.format).to), 24) +
+                     " " + padded(counted(s.before + Rational(1)), 21) + " ";
   text += padded(shown(s.increment, 9), 19) + " " + padded(signed_text(s.parts_per_million(), 6), 16);
   if (!q_.velocity) text += " " + signed_text(s.lost_per_hour(), 6);
   while (text.ends_with(' ')) text.pop_back();
@@ -199,12 +198,21 @@ std::string Text::speed() const {
   text += "  " + padded(q_.velocity ? "sums in m" : "sums in s", 24) + " " + padded("from addition", 21) +
           " " + padded("each adds", 19) + " " +
           (q_.velocity ? "ppm fast" : padded("ppm fast", 16) + " s lost an hour") + "\n";
-  const std::size_t count = r_.speeds.size();
+  // Neighbours of one speed share a row.
+  std::vector<std::string> rows;
+  const std::vector<ClockSpeed>& all = r_.speeds;
+  for (std::size_t first = 0, i = 0; i < all.size(); ++i) {
+    if (i + 1 < all.size() && all[i + 1].increment == all[first].increment &&
+        all[i + 1].exact == all[first].exact)
+      continue;
+    rows.push_back(row(all[first], all[i]));
+    first = i + 1;
+  }
+  const std::size_t count = rows.size();
   for (std::size_t i = 0; i < count; ++i) {
     if (count > kMostRows && i == kFirstRows)
       text += "  ... " + std::to_string(count - kFirstRows - kLastRows) + " more (--csv has all)\n";
-    if (count > kMostRows && i >= kFirstRows && i < count - kLastRows) continue;
-    text += row(r_.speeds[i]);
+    if (count <= kMostRows || i < kFirstRows || i >= count - kLastRows) text += rows[i];
   }
   return text;
 }

@@ -22,6 +22,8 @@ void check(const ClockQuestion& q) {
   if (q.velocity && q.velocity->is_zero()) throw BadInput("the velocity is 0: such a body stays where it is");
   if (q.additions.sign() < 0 || !q.additions.is_integer())
     throw BadInput("a number of steps is a whole number, 0 or more, not " + q.additions.significant(6));
+  if (q.compensated && q.fixed_point)
+    throw BadInput("fixed-point sums are not rounded: there is nothing that Kahan's sum could compensate");
   if (q.compensated && q.fused)
     throw BadInput("Kahan's sum adds a stored increment: it has no fused product");
 }

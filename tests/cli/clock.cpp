@@ -95,7 +95,8 @@ TEST_CASE("clock refuses what has no answer, with the documented exit codes") {
         "--dt 1e-60 --steps 1", "--dt 0.1 --steps -5", "--dt 0.1 --steps 2.5", "--dt 0.1 --steps nan",
         "--dt 0.1", "--dt 0.1 --steps 1 --until 1h", "--steps 5", "--dt 0.1 --steps 1 --velocity 0",
         "--dt 0.1 --until -3", "--dt 0.1 --steps 1 --rounding odd",
-        "--dt 0.1 --steps 1 --format f32+fma --kahan", "--dt 0.1 --steps 1 --format fixed:99"}) {
+        "--dt 0.1 --steps 1 --format f32+fma --kahan", "--dt 0.1 --steps 1 --format fixed:99",
+        "--dt 0.1 --steps 1 --format fixed:9 --kahan"}) {
     INFO(options);
     const Outcome o = clock_command(options);
     CHECK(o.code == 2);
