@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A step run in the formats, beside the same step written out by hand: a spring by symplectic Euler.
+#include <mpfr.h>
+#include <quadmath.h>
+
+#include <cstdio>
+#include <vector>
+
+#include "analysis/floating/budget.hpp"
+#include "analysis/floating/clock.hpp"
+#include "analysis/program/catalogue.hpp"
+#include "bench/harness/interleaved.hpp"
+
+using namespace shortfall;
+using bench::Contender;
+using bench::here;
+using bench::time_text;
+
+namespace {
+
+constexpr int kRounds = 12;
+constexpr int kSteps = 1000;
+
+FloatQuestion spring() {
+  FloatQuestion q;
+  q.program = find_integrator("symplectic-euler");
+  q.force = force_named("spring:k=1");
+  q.h = Rational(1, 50);
+  q.x0 = 1;
+  return q;
+}
+
+Contender ours(const char* format) {
+  const std::shared_ptr<FloatRun> run = float_run(float_format(format), spring());
+  return here(format, [run] {
+    run->begin();
+    for (int n = 0; n < kSteps; ++n) run->step();
+    bench::keep(run->rough());
+  });
+}
+
+template <class T>
+Contender by_hand(const char* name) {
+  return here(name, [] {
+    const T h = T(1) / T(50), k = 1;
+    volatile T start = 1;
+    T x = start, v = 0;
+    for (int n = 0; n < kSteps; ++n) {
+      v = v + h * -(k * x);
+      x = x + h * v;
+    }
+    bench::keep(x);
+  });
+}
+
+Contender raw_mpfr(int digits) {
+  return here("raw MPFR, in place", [digits] {
+    const mpfr_prec_t bits = static_cast<mpfr_prec_t>(digits) * 1000 / 301 + 2;
+    mpfr_t x, v, h, k, t;
+    for (mpfr_ptr p : {x, v, h, k, t}) mpfr_init2(p, bits);
+    mpfr_set_si(x, 1, MPFR_RNDN);
+    mpfr_set_si(v, 0, MPFR_RNDN);
+    mpfr_set_si(k, 1, MPFR_RNDN);
+    mpfr_set_si(h, 1, MPFR_RNDN);
+    mpfr_div_si(h, h, 50, MPFR_RNDN);
+    for (int n = 0; n < kSteps; ++n) {
+      mpfr_mul(t, k, x, MPFR_RNDN);
+      mpfr_neg(t, t, MPFR_RNDN);
+      mpfr_mul(t, h, t, MPFR_RNDN);
+      mpfr_add(v, v, t, MPFR_RNDN);
+      mpfr_mul(t, h, v, MPFR_RNDN);
+      mpfr_add(x, x, t, MPFR_RNDN);
+    }
+    bench::keep(mpfr_get_d(x, MPFR_RNDN));
+    for (mpfr_ptr p : {x, v, h, k, t}) mpfr_clear(p);
+  });
+}
+
+void compare(const char* what, const std::vector<Contender>& pair) {
+  const std::vector<double> times = bench::least_times(pair, kRounds, 0.01);
+  std::printf("  %-28s %9s a step, by hand %9s: %.2f times\n", what, time_text(times[0] / kSteps).c_str(),
+              time_text(times[1] / kSteps).c_str(), times[0] / times[1]);
+  std::fflush(stdout);
+}
+
+}  // namespace
+
+int main() {
+  std::printf(
+      "A spring by symplectic Euler, h = 1/50, %d steps: the interpreted file beside the same by hand\n",
+      kSteps);
+  compare("binary32", {ours("f32"), by_hand<float>("float")});
+  compare("binary64", {ours("f64"), by_hand<double>("double")});
+  compare("x87", {ours("x87"), by_hand<long double>("long double")});
+  compare("binary128", {ours("f128"), by_hand<__float128>("__float128")});
+  compare("MPFR, 50 digits", {ours("mpfr:50"), raw_mpfr(50)});
+  compare("MPFR, 1000 digits", {ours("mpfr:1000"), raw_mpfr(1000)});
+  std::printf("Budgets\n");
+  const FloatQuestion q = spring();
+  for (const char* format : {"f32", "f64"}) {
+    const double seconds = bench::least_times(
+        {here("", [&] { bench::keep(budget(float_format(format), q, 10'000)); })}, kRounds, 0.01)[0];
+    std::printf("  10,000 steps in %s, all parts to 60 digits: %s\n", format, time_text(seconds).c_str());
+  }
+  return 0;
+}
