@@ -120,9 +120,10 @@ std::string Text::heading() const {
 
 std::string Text::reading() const {
   const Rational time = q_.additions * q_.dt;
+  const std::string time_text = shown(time);
   std::string text = "\nAfter " + counted(q_.additions) +
-                     (q_.additions.is_one() ? " addition" : " additions") +
-                     ", n dt = " + with_unit(time).substr(0, with_unit(time).size() - unit_.size()) + " s" +
+                     (q_.additions.is_one() ? " addition" : " additions") + ", n dt " +
+                     (time_text.starts_with("≈") ? "" : "= ") + time_text + " s" +
                      (time.abs() >= Rational(120) ? " (" + duration(time) + ")" : "") + "\n";
   if (r_.value) {
     text += line("computed", with_unit(*r_.value) + fraction(*r_.value));
@@ -130,8 +131,10 @@ std::string Text::reading() const {
     text += line("computed", "within " + shown(*r_.kahan->bound, 4) + unit_ + " of " +
                                  with_unit(r_.stored_start + q_.additions * r_.increment) + ", proved");
   } else {
-    text += line("computed",
-                 r_.kahan && r_.kahan->kind == CompensatedClock::Kind::unknown ? "not known" : "infinite");
+    const bool unknown = r_.kahan && r_.kahan->kind == CompensatedClock::Kind::unknown;
+    text += line("computed", unknown    ? "not known"
+                             : r_.kahan ? "no number: infinite, and NaN from the next addition on"
+                                        : "infinite");
   }
   text += line("exact", with_unit(r_.meant));
   if (r_.shortfall) {
