@@ -48,7 +48,7 @@ ClockArithmetic clock_arithmetic(std::string_view name) {
   if (f.kind == FloatFormat::Kind::double_double)
     throw Unable(
         "a double-double is no binary format of one precision, so that its clock has no closed form here; "
-        "--format f64 --kahan adds as exactly");
+        "--format mpfr:32 has as many digits");
   if (f.variant == FloatFormat::Variant::offset)
     throw Unable("a clock with a binary64 origin is as exact as its origin: ask for --format f64");
   ClockArithmetic result;
