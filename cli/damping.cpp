@@ -8,6 +8,7 @@
 #include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "notebooks-export/damping_code.hpp"
 #include "notebooks-export/damping_text.hpp"
 
 namespace shortfall::cli {

@@ -63,7 +63,6 @@ int derive_numbers(const Question& q, const NumbersOptions& o) {
   n.steps = step_count(o, n.h);
   const Program program = q.program();
   const NumericMotion m = numeric_motion(program, n);
-  n.force = true_force(program, n);  // as it is shown
   write_output(q.json ? as_json(m, n, program.name).dump(2) + "\n"
                       : as_text(m, n, program.name, q.ascii ? Style::language : Style::unicode),
                q.output);

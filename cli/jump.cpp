@@ -25,7 +25,9 @@ struct JumpOptions : Question {
   bool all_engines = false;
   FrameOptions frames;
 
-  LaunchBy by() const { return launch == "impulse" ? LaunchBy::impulse : LaunchBy::velocity; }
+  LaunchBy by() const {
+    return launch == "impulse" ? LaunchBy::impulse : launch == "force" ? LaunchBy::force : LaunchBy::velocity;
+  }
 };
 
 /// The unit in which the user gave the height; empty for a bare number.
@@ -102,8 +104,8 @@ void jump(const JumpOptions& o) {
   if (o.frames.repeat && !listed) throw BadInput("--repeat goes with --dt-file");
   std::vector<Rational> heights;
   if (!o.height.empty()) heights = sweep(o.height, Unit::length, "--height");
-  if (listed && o.by() == LaunchBy::impulse)
-    throw BadInput("--dt-file sets the velocity: no --launch impulse");
+  if (listed && o.by() != LaunchBy::velocity)
+    throw BadInput("--dt-file sets the velocity: no --launch " + o.launch);
   if (listed) return jump_over_frames(o, heights);
   if (o.all_engines) return jump_of_engines(o, heights);
   const Rational g = o.gravity();
@@ -154,11 +156,11 @@ void add_jump(CLI::App& app, int&) {
   command
       ->add_option(
           "--launch", o->launch,
-          "how the body is launched: its velocity is set, or it is given an impulse, which some engines "
-          "spread over their substeps")
+          "how the body is launched: its velocity is set; it is given an impulse, which some engines spread "
+          "over their substeps; or a force is held over the first frame, mass * launch/dt")
       ->capture_default_str()
       ->type_name("HOW")
-      ->check(CLI::IsMember({"velocity", "impulse"}));
+      ->check(CLI::IsMember({"velocity", "impulse", "force"}));
   command
       ->add_flag(
           "--all-engines", o->all_engines,

@@ -44,7 +44,10 @@ std::string engines_text(const std::vector<EngineJump>& jumps, const JumpWords& 
   const Amounts amounts(words.unit, first.target, words.ascii);
   std::string text = fmt::format(
       "A jump to {}{}, dt = {} s, g = {} downwards: cm short, rounded to {} digits after the point\n\n",
-      amounts.height_exactly(first.target), first.by == LaunchBy::impulse ? ", launched by an impulse" : "",
+      amounts.height_exactly(first.target),
+      first.by == LaunchBy::impulse ? ", launched by an impulse"
+      : first.by == LaunchBy::force ? ", launched by a force that is held over frame 1"
+                                    : "",
       exact_text(first.dt), amounts.acceleration(first.g), kPlaces);
   text += fmt::format("{:<33} {:>9} {:>12}  {:<18} {}\n", "engine, undamped", "cm short", "with g dt/2",
                       "right correction", "with its default damping");

@@ -200,11 +200,21 @@ class Page {
       row("", "Only while all frames are as long as these is a launch right: see --dt without --dt-file");
   }
 
+  /// The first few, those that games use before the others: "velocity-verlet, midpoint and 27 more".
   std::string integrators(std::optional<bool> exact) const {
-    std::string names;
+    constexpr std::size_t kShown = 4;
+    static const std::vector<std::string> usual{
+        "velocity-verlet", "position-verlet", "midpoint",       "rk4", "half-gravity", "symplectic-euler",
+        "explicit-euler",  "leapfrog",        "stoermer-verlet"};
+    std::vector<std::string> names;
     for (const ListExactness& e : listed_.catalogue)
-      if (e.exact == exact) names += (names.empty() ? "" : ", ") + e.integrator;
-    return names;
+      if (e.exact == exact) names.push_back(e.integrator);
+    const auto place = [](const std::string& n) { return std::ranges::find(usual, n) - usual.begin(); };
+    std::ranges::stable_sort(names, {}, place);
+    std::string text;
+    for (std::size_t i = 0; i < std::min(names.size(), kShown); ++i) text += (i ? ", " : "") + names[i];
+    if (names.size() > kShown) text += " and " + std::to_string(names.size() - kShown) + " more";
+    return text;
   }
 
   void repairs() {
@@ -221,7 +231,8 @@ class Page {
     }
     row("another step", "exact for every list (proved): " + integrators(true));
     row("", "not exact (proved): " + integrators(false));
-    if (const std::string open = integrators(std::nullopt); !open.empty()) row("", "not decided: " + open);
+    if (const std::string open = integrators(std::nullopt); !open.empty())
+      row("", "not decided: " + open + " (--json lists all)");
     if (const auto& a = jump_.accumulator) {
       const Expr launch = name("sqrt(2 g H)") + replace(a->correction.formula, "h", name("dt"));
       row("a fixed step",

@@ -108,7 +108,9 @@ Json body(const Jump& jump) {
             {"g", jump.g.str()}};
   json["parameters"] = Json::object();
   for (const auto& [name, value] : jump.parameters) json["parameters"][name] = value.str();
-  json["launch_by"] = jump.by == LaunchBy::impulse ? "impulse" : "velocity";
+  json["launch_by"] = jump.by == LaunchBy::impulse ? "impulse"
+                      : jump.by == LaunchBy::force ? "force"
+                                                   : "velocity";
   const bool drag = !jump.drag.is_zero();
   json["drag"] = jump.drag.digits() > 40 ? rounded(jump.drag) : Json(jump.drag.str());
   json["launch_velocity"] = exact(jump.launch_velocity);

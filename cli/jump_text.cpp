@@ -50,6 +50,7 @@ class Page {
     for (const auto& [name, value] : jump_.parameters)
       text_ += fmt::format(", {} = {}", name, exact_text(value));
     if (jump_.by == LaunchBy::impulse) text_ += ", launched by an impulse";
+    if (jump_.by == LaunchBy::force) text_ += ", launched by a force that is held over frame 1";
     text_ += fmt::format(", dt = {} s, g = {} downwards\n\n", exact_text(jump_.dt),
                          amounts_.acceleration(jump_.g));
   }
@@ -81,6 +82,7 @@ class Page {
       method += fmt::format(", {} at t {}", formula(jump_.correction.formula * name("t")),
                             amounts_.time_equals(Surd(t)));
     if (jump_.shortfall.method.is_zero()) method = "the integrator is exact here";
+    if (jump_.by == LaunchBy::force) method += ", the force's own frame included";
     if (!jump_.drag.is_zero())
       line(amounts_.signed_difference(jump_.shortfall.damping),
            fmt::format("damping: the exact motion, which loses {} per second of its speed to drag, is at its "

@@ -4,6 +4,7 @@
 #include "analysis/stability/stability.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "cli/quantity.hpp"
 #include "notebooks-export/figure_gnuplot.hpp"
 #include "notebooks-export/figure_stability.hpp"
 #include "notebooks-export/stability_json.hpp"
@@ -14,6 +15,7 @@ namespace shortfall::cli {
 namespace {
 
 struct StabilityOptions : Question {
+  std::string frame;
   std::string plot;
 };
 
@@ -25,9 +27,15 @@ void draw(const Stability& s, const std::string& path) {
   }
 }
 
+/// Of --dt, which here has no default: most steps are judged for every frame at once.
+std::optional<Rational> frame(const StabilityOptions& o) {
+  if (o.frame.empty()) return std::nullopt;
+  return positive_quantity(o.frame, Unit::time, "--dt");
+}
+
 void stability(const StabilityOptions& o) {
   if (!o.plot.empty()) image_format(o.plot);  // a wrong ending is seen before any work
-  const Stability s = shortfall::stability(o.program(), o.values(), o.substeps());
+  const Stability s = shortfall::stability(o.program(), o.values(), o.substeps(), frame(o));
   if (!o.plot.empty()) {
     draw(s, o.plot);
     say("wrote " + o.plot);
@@ -43,10 +51,12 @@ void stability(const StabilityOptions& o) {
 void add_stability(CLI::App& app, int&) {
   CLI::App* command = new_command(app, "Prove", "stability", "For which steps an oscillation stays bounded, exactly; what happens at the limit; A- and L-stability.",
                                   {"stability symplectic-euler", "stability newmark --param beta=0 --param gamma=1/2", "stability rk4 --plot rk4.svg",
-                                   "stability velocity-verlet --substeps 4 --json"});
+                                   "stability velocity-verlet --substeps 4 --json", "stability cannon-es --param c=0.1 --dt 60Hz"});
   auto o = std::make_shared<StabilityOptions>();
   add_integrator(*command, *o);
   add_parameters(*command, *o);
+  command->add_option("--dt", o->frame, "the frame, for an engine whose damping depends on it: 1/60, 60Hz; without it the answer holds for every frame")
+      ->type_name("DT");
   add_json(*command, *o);
   add_ascii(*command, *o);
   command->add_option("--plot", o->plot, "draw the eigenvalues and the stable region (needs gnuplot): a file that ends in .svg, .png or .pdf")->type_name("FILE");

@@ -173,47 +173,4 @@ Json damping_table_json(const std::vector<DampingReport>& reports,
   return json;
 }
 
-std::string damping_code(Language language) {
-  // Written out, and not by the writer of formulas: two returned values have a shape of their own everywhere.
-  const std::string mark = language == Language::python || language == Language::gdscript ? "# " : "// ";
-  const std::string about = mark +
-                            "Moves a body by dt under the constant acceleration a and the drag -c v (c > 0, "
-                            "in 1/s): exact, so the\n" +
-                            mark +
-                            "same at every frame rate. Written by shortfall. What it writes is yours.\n";
-  switch (language) {
-    case Language::csharp:
-      return about +
-             "static void DampedMove(ref double x, ref double v, double a, double c, double dt)\n{\n"
-             "    double decay = System.Math.Exp(-c * dt);\n    double q = (1 - decay) / c;\n"
-             "    x += q * v + (dt - q) / c * a;\n    v = decay * v + q * a;\n}\n";
-    case Language::cpp:
-      return "#include <cmath>\n\n" + about +
-             "inline void damped_move(double& x, double& v, double a, double c, double dt) {\n"
-             "  const double decay = std::exp(-c * dt);\n  const double q = (1 - decay) / c;\n"
-             "  x += q * v + (dt - q) / c * a;\n  v = decay * v + q * a;\n}\n";
-    case Language::gdscript:
-      return about +
-             "func damped_move(x: float, v: float, a: float, c: float, dt: float) -> Array:\n"
-             "\tvar decay := exp(-c * dt)\n\tvar q := (1 - decay) / c\n"
-             "\treturn [x + q * v + (dt - q) / c * a, decay * v + q * a]\n";
-    case Language::python:
-      return "import math\n\n\n" + about +
-             "def damped_move(x, v, a, c, dt):\n"
-             "    decay = math.exp(-c * dt)\n    q = (1 - decay) / c\n"
-             "    return x + q * v + (dt - q) / c * a, decay * v + q * a\n";
-    case Language::rust:
-      return about +
-             "pub fn damped_move(x: f64, v: f64, a: f64, c: f64, dt: f64) -> (f64, f64) {\n"
-             "    let decay = (-c * dt).exp();\n    let q = (1.0 - decay) / c;\n"
-             "    (x + q * v + (dt - q) / c * a, decay * v + q * a)\n}\n";
-    case Language::javascript:
-      return about +
-             "function dampedMove(x, v, a, c, dt) {\n"
-             "  const decay = Math.exp(-c * dt);\n  const q = (1 - decay) / c;\n"
-             "  return [x + q * v + (dt - q) / c * a, decay * v + q * a];\n}\n";
-  }
-  return {};
-}
-
 }  // namespace shortfall

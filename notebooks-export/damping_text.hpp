@@ -7,7 +7,6 @@
 
 #include "analysis/correction/damping_report.hpp"
 #include "analysis/program/print.hpp"
-#include "notebooks-export/code_language.hpp"
 
 namespace shortfall {
 
@@ -22,9 +21,5 @@ std::string damping_table(const std::vector<DampingReport>& reports,
                           const std::vector<std::pair<std::string, std::string>>& refused, Style style);
 nlohmann::ordered_json damping_table_json(const std::vector<DampingReport>& reports,
                                           const std::vector<std::pair<std::string, std::string>>& refused);
-
-/// Velocity and distance under a constant acceleration with drag after any time: the same at every frame
-/// time.
-std::string damping_code(Language language);
 
 }  // namespace shortfall

@@ -14,21 +14,6 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kShortFraction = 60;  // digits of a fraction that is still read
 
-Expr acceleration(const Force& f) {
-  Expr total = number(0);
-  const auto add = [&](const Rational& weight, const Expr& what) {
-    if (weight.is_zero()) return;
-    const Expr size = number(weight.abs());
-    Expr term = is_number(what, 1) ? size : is_number(size, 1) ? what : size * what;
-    if (weight.sign() < 0) term = negate(term);
-    total = is_number(total, 0) ? term : joined(total, term);
-  };
-  for (int d = 0; d <= f.degree; ++d) add(f.push.at(d), power(name("t"), d));
-  if (f.spring) add(-*f.k, name("x"));
-  if (f.damper) add(-*f.c, name("v"));
-  return total;
-}
-
 std::string whole(const Rational& n) {
   const std::string text = n.str();
   // 10^18 is read more easily than nineteen digits.
@@ -67,7 +52,7 @@ Json as_json(const CertainNumber& n, int digits) {
 
 std::string as_text(const NumericMotion& m, const NumericQuestion& q, const std::string& integrator,
                     Style style) {
-  std::string text = integrator + ", x'' = " + print(acceleration(q.force), style) +
+  std::string text = integrator + ", x'' = " + print(m.acceleration, style) +
                      ", from x0 = " + q.x0.str() + " m, v0 = " + q.v0.str() + " m/s\n";
   text += whole(q.steps) + " steps of dt = " + q.h.str() + " s";
   if (q.substeps > 1) text += ", each in " + std::to_string(q.substeps) + " substeps";
@@ -102,7 +87,7 @@ nlohmann::ordered_json as_json(const NumericMotion& m, const NumericQuestion& q,
   json["time"] = m.time.str();
   json["x0"] = q.x0.str();
   json["v0"] = q.v0.str();
-  json["acceleration"] = print(acceleration(q.force));
+  json["acceleration"] = print(m.acceleration);
   json["position"] = as_json(m.position, q.digits);
   json["velocity"] = as_json(m.velocity, q.digits);
   json["exact"] = {{"position", as_json(m.exact_position, q.digits)},

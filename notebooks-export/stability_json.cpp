@@ -162,6 +162,8 @@ Json as_json(const Stability& s) {
   for (const auto& [name, value] : s.parameters) parameters[name] = value.str();
   json["parameters"] = std::move(parameters);
   json["defaults"] = s.assumed;
+  json["dt"] = s.dt ? Json(s.dt->str()) : Json(nullptr);
+  json["rounded"] = s.rounded;
   json["formulas_of"] = s.of_substep ? "substep" : "frame";
   add_amplification(json, s.undamped);
   json["stable"] = summary(s.windows);

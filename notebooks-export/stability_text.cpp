@@ -60,6 +60,7 @@ class Writer {
     std::string values;
     for (const auto& [name, value] : s_.parameters)
       values += (values.empty() ? "" : ", ") + name + " = " + parameter_text(value);
+    if (s_.dt) values = "dt = " + s_.dt->str() + " s" + (values.empty() ? "" : ", ") + values;
     if (!values.empty())
       text_ += "for " + values +
                (s_.assumed.empty() ? "" : " (defaults where --param does not say otherwise)") + "\n";
@@ -253,9 +254,11 @@ class Writer {
       text_ += "These have " + count(w.points, "positive root") +
                ", isolated exactly. One rational value decides in each of the " + std::to_string(w.cells) +
                " intervals\n  between them, and each root is decided in its own number field.";
-    text_ +=
-        "\n  Decided by: the test of Schur and Cohn, Sturm's sequence, the Jordan form. No number was "
-        "rounded.\n";
+    text_ += "\n  Decided by: the test of Schur and Cohn, Sturm's sequence, the Jordan form.";
+    if (s_.rounded.empty()) text_ += " No number was rounded.\n";
+    for (const std::string& what : s_.rounded)
+      text_ +=
+          "\n  " + what + " was rounded to 100 digits; all else is exact for the number that it became.\n";
   }
 
   const Stability& s_;

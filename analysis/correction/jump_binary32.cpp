@@ -30,11 +30,12 @@ struct Gravity {
   using Vector = float;
 
   float g;
+  float push = 0;  ///< of a force that launches
 
   float number(const Rational& value) const { return value.to_float(); }
   std::optional<float> parameter(int, bool) const { return std::nullopt; }
   float zero() const { return 0; }
-  float acceleration(float, float, float) const { return -g; }
+  float acceleration(float, float, float) const { return push - g; }
   float function(Function f, float a, float b) const { return value_of(f, a, b); }
   float root(const RealRoot& root, const std::string&) const { return near(root, 60).to_float(); }
   bool longer(float measured, float size, bool) const { return size < std::abs(measured); }
@@ -63,18 +64,22 @@ class Flights {
 
   Flights(const Flight& flight, float dt, float g, std::int64_t frame)
       : tape_(lower(flight.program(), flight.parameters())),
-        problem_{g},
+        problem_{.g = g},
         run_(tape_, problem_, dt),
-        impulse_(flight.launch_by() == LaunchBy::impulse),
+        dt_(dt),
+        by_(flight.launch_by()),
         frame_(frame) {}
 
   /// The highest frame. Past the exact one it ends when the body falls, at the latest after twice the time.
   Top top(float launch) {
-    run_.begin(0, impulse_ ? 0 : launch, 0);
-    if (impulse_) run_.give_impulse(launch);
+    problem_.push = 0;
+    run_.begin(0, by_ == LaunchBy::velocity ? launch : 0, 0);
+    if (by_ == LaunchBy::impulse) run_.give_impulse(launch);
+    if (by_ == LaunchBy::force) problem_.push = launch / dt_;
     Top best;
     for (std::int64_t n = 1; n <= 2 * frame_ + 4; ++n) {
       run_.step();
+      problem_.push = 0;
       ++frames_;
       const float here = tape_.finish.empty() ? run_.state(0) : run_.read_out().first;
       if (here > best.height)
@@ -91,7 +96,8 @@ class Flights {
   Tape tape_;
   Gravity problem_;
   Run<Gravity> run_;
-  bool impulse_;
+  float dt_;
+  LaunchBy by_;
   std::int64_t frame_;
   std::int64_t frames_ = 0;
 };

@@ -65,11 +65,13 @@ struct Flight::Steps {
     if (by == LaunchBy::impulse) free.give_impulse(1);
     dropped.begin(0, 0, 0);
     record();
+    if (by == LaunchBy::force) push = Rational(1) / dt;
   }
 
   const std::pair<Rational, Rational>& frame(std::size_t n) {
     while (frames.size() <= n) {
       free.step();
+      push = 0;
       dropped.step();
       record();
     }
@@ -89,7 +91,9 @@ struct Flight::Steps {
   }
 
   Tape tape;
-  UndisturbedNumbers weightless = constant_force(0);
+  Rational push;  ///< the force that launches, in the frame that comes next
+  UndisturbedNumbers weightless = {
+      {.force = [this](const Rational&, const Rational&, const Rational&) { return push; }}};
   UndisturbedNumbers heavy = constant_force(1);
   Run<UndisturbedNumbers> free;
   Run<UndisturbedNumbers> dropped;
@@ -109,7 +113,7 @@ Flight::Flight(const Program& program, const Rational& dt, int substeps, const V
   steps_ = std::make_unique<Steps>(program_, parameters_, dt_, by);
   const bool fitted = fit();
   // In letters, too, for the formula of the correction; each way has flights that only it can solve.
-  if (by == LaunchBy::velocity && (parabolic_ || !fitted) && !adopt(lower(program_, given)))
+  if ((by == LaunchBy::velocity ? parabolic_ || !fitted : parabolic_) && !adopt(lower(program_, given)))
     adopt(lower(program_, parameters_));
   const auto& rounded = *steps_->weightless.rounded;
   if (!parabolic_ || !fall_in_letters_) rounded_.assign(rounded.begin(), rounded.end());
@@ -129,9 +133,11 @@ bool Flight::adopt(const Tape& tape) try {
   const auto up = parabola(rise.polynomial(), tape, parameters_, dt_);
   const auto down = parabola(fall.polynomial(), tape, parameters_, dt_);
   if (!up || !down) return false;
-  rise_ = *up;
-  fall_ = *down;
-  settled_ = form.valid_from;
+  if (by_ == LaunchBy::velocity) {  // the fall alone does not know how the body was launched
+    rise_ = *up;
+    fall_ = *down;
+    settled_ = form.valid_from;
+  }
   fall_in_letters_ = fall.polynomial();
   letters_ = map.letters;
   return parabolic_ = true;

@@ -20,9 +20,10 @@ struct Frame {
   Surd height;
 };
 
-/// How a body gets its launch velocity: it is set, or it is given as an impulse (over the mass), which some
-/// engines treat differently.
-enum class LaunchBy { velocity, impulse };
+/// How a body gets its launch velocity u: it is set; it is given as an impulse (over the mass), which some
+/// engines treat differently; or as a force that is held over frame 1, the acceleration u/dt wherever the
+/// step of that frame evaluates the force, and nowhere else.
+enum class LaunchBy { velocity, impulse, force };
 
 /// Where a body thrown straight up from the ground is at the end of every frame, exactly:
 /// height(n) = launch * rise(n) - g * fall(n).

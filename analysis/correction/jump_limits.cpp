@@ -16,14 +16,16 @@ std::optional<LimitMet> limit_met(const Flight& flight, const Surd& launch, cons
     throw Unable("whether a limit of " + flight.program().name + " acts before frame " + top.str() +
                  " is not known: we step at most " + std::to_string(kLimitFrames) + " frames");
   const double down = -g.to_double(), up = launch.to_double();
-  Numbers<double> problem{.force = [down](double, double, double) { return down; }};
+  double push = 0;
+  Numbers<double> problem{.force = [&](double, double, double) { return down + push; }};
   Run<Numbers<double>> run(tape, problem, flight.dt().to_double());
-  const bool impulse = flight.launch_by() == LaunchBy::impulse;
-  run.begin(0, impulse ? 0 : up, 0);
-  if (impulse) run.give_impulse(up);
+  run.begin(0, flight.launch_by() == LaunchBy::velocity ? up : 0, 0);
+  if (flight.launch_by() == LaunchBy::impulse) run.give_impulse(up);
+  if (flight.launch_by() == LaunchBy::force) push = up / flight.dt().to_double();
   LimitMet met;
   for (std::int64_t n = 1; n <= kLimitFrames; ++n) {
     run.step();
+    push = 0;
     const double here = run.read_out().first;
     if (here > met.best_height) {
       met.best_height = here;

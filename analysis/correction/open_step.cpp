@@ -3,19 +3,11 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/transform.hpp"
+#include "analysis/stability/motion_pair.hpp"
 
 namespace shortfall {
 
 namespace {
-
-constexpr Letter kEigenvalue = kTimeLetter;  // a step's matrix does not contain the letter of time
-
-std::vector<Fraction> monic(const Polynomial& p) {
-  const std::vector<Polynomial> coefficients = p.coefficients(kEigenvalue);
-  std::vector<Fraction> result;
-  for (const Polynomial& c : coefficients) result.emplace_back(c, coefficients.back());
-  return result;
-}
 
 /// Whether a factor has the root 1 where there is no force, and nothing that the integrator damps by itself.
 bool belongs_to_motion(Polynomial factor, const BranchPoint& units) {
@@ -28,25 +20,12 @@ bool belongs_to_motion(Polynomial factor, const BranchPoint& units) {
 }
 
 void split(OpenStep& step) {
-  std::vector<Fraction> p = characteristic_polynomial(step.matrix);
-  while (p[step.zeros].is_zero()) ++step.zeros;
-  step.nonzero.assign(p.begin() + step.zeros, p.end());
-  if (step.nonzero.size() == 3) {
-    step.pair = step.nonzero;
-    return;
-  }
-  Polynomial common = 1;
-  for (const Fraction& c : step.nonzero)
-    common = common * exact_quotient(c.denominator(), gcd(common, c.denominator()));
-  Polynomial cleared;
-  for (std::size_t k = 0; k < step.nonzero.size(); ++k)
-    cleared += (step.nonzero[k] * Fraction(common)).numerator() *
-               Polynomial::letter(kEigenvalue, static_cast<int>(k));
-  Polynomial motion = 1;
-  for (const auto& [factor, multiplicity] : factor(cleared).factors)
-    if (factor.degree(kEigenvalue) > 0 && belongs_to_motion(factor, step.small_step_values()))
-      motion = motion * factor.pow(multiplicity);
-  if (motion.degree(kEigenvalue) == 2) step.pair = monic(motion);
+  const BranchPoint units = step.small_step_values();
+  MotionPair found = motion_pair(characteristic_polynomial(step.matrix),
+                                 [&](const Polynomial& factor) { return belongs_to_motion(factor, units); });
+  step.zeros = found.zeros;
+  step.nonzero = std::move(found.nonzero);
+  step.pair = std::move(found.pair);
 }
 
 /// That the polynomial parts of the closed form are a motion: q(n+1) = M q(n) + push(n). Everything that is

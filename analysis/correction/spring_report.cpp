@@ -116,9 +116,13 @@ SpringReport spring_report(const Program& program, const SpringQuestion& q) {
                                  {d.map.letters[kDamping], Ball(q.c, kBits)}};
   report.effective =
       effective(ball_value(report.trace, at, kBits), ball_value(report.determinant, at, kBits), q.h);
-  const Rational true_c = d.force.own_c ? d.force.c.value_or(q.c) : q.c;
-  const BallFlow flow = ball_flow(q.k, true_c, q.h, kBits);
-  report.truth = effective(flow.cosine + flow.sine_rate, exp(Ball(-true_c * q.h, kBits)), q.h);
+  // The damping that is meant: the user's, or the integrator's own, which may be a logarithm.
+  const Ball k(q.k, kBits), h(q.h, kBits);
+  const Fraction meant = d.force.own_c.value_or(Fraction(q.c));
+  const Ball true_c = ball_value(meant, letter_balls(d.map.extras, kBits), kBits);
+  const BallFlow flow =
+      meant.is_constant() ? ball_flow(q.k, meant.constant(), q.h, kBits) : ball_flow(k, true_c, h);
+  report.truth = effective(flow.cosine + flow.sine_rate, exp(-true_c * h), q.h);
   if (true_c.is_zero()) report.truth.stable = true;
   // An undamped step with determinant 1 exactly is as stable as its physics.
   if (d.determinant->is_one() && report.effective.oscillates) report.effective.stable = true;

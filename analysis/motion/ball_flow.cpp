@@ -29,4 +29,19 @@ BallFlow ball_flow(const Rational& k, const Rational& c, const Rational& t, int 
   return {cosine + half * sine, sine, ball(-k) * sine, cosine - half * sine};
 }
 
+BallFlow ball_flow(const Ball& k, const Ball& c, const Ball& t) {
+  const Ball zero(0, t.bits()), one(1, t.bits()), half = c / Ball(2, t.bits());
+  if (k.is_zero() && c.is_zero()) return {one, t, zero, one};
+  if (k.is_zero()) {
+    const Ball decay = exp(-c * t);
+    return {one, (one - decay) / c, zero, decay};
+  }
+  const Ball discriminant = k - half * half;
+  const bool oscillates = discriminant.sign() != -1;  // of an unknown sign: the root is not finite
+  const Ball w = sqrt(oscillates ? discriminant : -discriminant), angle = w * t, decay = exp(-half * t);
+  const Ball cosine = decay * (oscillates ? cos(angle) : cosh(angle));
+  const Ball sine = decay * (oscillates ? sin(angle) : sinh(angle)) / w;
+  return {cosine + half * sine, sine, -k * sine, cosine - half * sine};
+}
+
 }  // namespace shortfall

@@ -17,4 +17,8 @@ struct BallFlow {
 /// param   bits  the working precision; a motion of many periods needs as many more as the period count has
 BallFlow ball_flow(const Rational& k, const Rational& c, const Rational& t, int bits);
 
+/// The same for numbers that are not rational, such as the damping -log(1 - c). Where the balls do not tell
+/// the cases apart the result is not finite: more bits will, unless the damping is exactly critical.
+BallFlow ball_flow(const Ball& k, const Ball& c, const Ball& t);
+
 }  // namespace shortfall

@@ -18,7 +18,41 @@ Ball called(const std::string& function, const Ball& x) {
   throw Error("'" + function + "' is not computed in balls");
 }
 
+Ball called(Function f, const Ball& a, const Ball& b) {
+  if (f == Function::pow) return exp(b * log(a));
+  if (f == Function::max || f == Function::min)
+    throw Unable("the function " + std::string(name_of(f)) + " of the step is not computed in balls");
+  return called(std::string(name_of(f)), a);
+}
+
+Ball value(const Polynomial& p, const std::vector<Ball>& letters, int bits) {
+  Ball sum(0, bits);
+  for (const auto& term : p.terms()) {
+    Ball product(term.coefficient, bits);
+    for (Letter letter = 0; letter < kLetters; ++letter)
+      if (const int exponent = term.monomial.exponent(letter); exponent > 0)
+        product *= pow(letters[letter], exponent);
+    sum += product;
+  }
+  return sum;
+}
+
 }  // namespace
+
+std::vector<Ball> letter_balls(const std::vector<ExtraLetters::Extra>& extras, int bits) {
+  std::vector<Ball> letters(kLetters, Ball(0, bits));
+  for (const ExtraLetters::Extra& e : extras)
+    letters[e.letter] =
+        e.root ? ball(*e.root, bits)
+               : called(e.function, ball_value(e.a, letters, bits), ball_value(e.b, letters, bits));
+  return letters;
+}
+
+Ball ball_value(const Fraction& f, const std::vector<Ball>& letters, int bits) {
+  if (f.is_constant()) return Ball(f.constant(), bits);
+  const Ball above = value(f.numerator(), letters, bits);
+  return f.is_polynomial() ? above : above / value(f.denominator(), letters, bits);
+}
 
 Ball ball_value(const Expr& e, const std::map<std::string, Ball>& values, int bits) {
   using Op = Expression::Op;
@@ -49,7 +83,7 @@ Ball ball_value(const Expr& e, const std::map<std::string, Ball>& values, int bi
       return pow(operand(0), static_cast<int>(n));
     }
     case Op::call:
-      if (e->name == "pow" && e->operands.size() == 2) return exp(operand(1) * log(operand(0)));
+      if (e->name == "pow" && e->operands.size() == 2) return called(Function::pow, operand(0), operand(1));
       if (e->operands.size() == 1) return called(e->name, operand(0));
       break;
     default:

@@ -199,9 +199,11 @@ LinearDerivation linear_derivation(const Program& program, const Force& asked, c
   d.digits = printed_digits(program);
   if (d.digits > 0) d.assumptions.push_back(about_printed_decimals(program));
   d.singular = singular_factors(d.map);
+  const bool implicit = !tape.solves.empty();
   for (const Polynomial& p : d.singular)
     d.assumptions.push_back(print(formula(Fraction(p), w)) +
-                            " is not 0, where an implicit stage would have no solution");
+                            (implicit ? " is not 0, where an implicit stage would have no solution"
+                                      : " is not 0, where the step would divide by it"));
   if (d.form.valid_from > 0)
     d.assumptions.push_back("n >= " + std::to_string(d.form.valid_from) +
                             ": before that, the start is still felt");

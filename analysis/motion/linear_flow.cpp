@@ -74,6 +74,13 @@ Fundamental damped(const Force& force, const Wording& w, const Expr& cosine, con
 /// k - c^2/4, the sign of which tells the cases apart.
 Fraction discriminant(const Force& force) { return force.stiffness() - force.damping().pow(2) / Fraction(4); }
 
+/// "k > c^2/4", in the words of an integrator that damps by itself: "k > log(1 - c)^2/4".
+std::string comparison(const Force& force, const Wording& w, const std::string& relation) {
+  const std::string k = force.own_k ? print(formula(force.stiffness(), w)) : "k";
+  const std::string c = force.own_c ? print(formula(force.damping().pow(2), w)) : "c^2";
+  return k + relation + c + "/4";
+}
+
 Expr square_root(const Fraction& f, const Wording& w) {
   if (f.is_constant())
     if (const Surd root = Surd::sqrt(f.constant()); root.is_rational()) return number(root.rational_part());
@@ -90,13 +97,13 @@ Fundamental oscillating(const Force& force, const Wording& w) {
   }
   f.definitions = {{omega->name, square_root(discriminant(force), w),
                     force.damper ? "angular frequency of the damped oscillation" : "angular frequency"}};
-  f.condition = force.damper ? "k > c^2/4, underdamped" : "k > 0";
+  f.condition = force.damper ? comparison(force, w, " > ") + ", underdamped" : "k > 0";
   return f;
 }
 
 Fundamental critical(const Force& force, const Wording& w) {
   Fundamental f = damped(force, w, number(1), kT);
-  f.condition = "k = c^2/4, critically damped";
+  f.condition = comparison(force, w, " = ") + ", critically damped";
   return f;
 }
 
@@ -108,7 +115,7 @@ Fundamental running(const Force& force, const Wording& w) {
     f.shape = nullptr;
   }
   f.definitions = {{s->name, square_root(-discriminant(force), w), "rate"}};
-  f.condition = !force.damper ? std::string("k < 0") + kRunsAway : "k < c^2/4, overdamped";
+  f.condition = !force.damper ? std::string("k < 0") + kRunsAway : comparison(force, w, " < ") + ", overdamped";
   if (force.damper)
     f.condition += force.k && force.k->sign() < 0 ? std::string("; k < 0") + kRunsAway
                    : force.k                      ? ""

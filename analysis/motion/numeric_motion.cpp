@@ -6,11 +6,12 @@
 #include <vector>
 
 #include "analysis/algebra/error.hpp"
-#include "analysis/motion/ball_flow.hpp"
-#include "analysis/motion/linear_flow.hpp"
+#include "analysis/motion/ball_formula.hpp"
+#include "analysis/motion/formula_text.hpp"
+#include "analysis/motion/numeric_flow.hpp"
 #include "analysis/motion/own_equation.hpp"
 #include "analysis/motion/step_map.hpp"
-#include "analysis/program/print.hpp"
+#include "analysis/problems/letters.hpp"
 #include "analysis/program/transform.hpp"
 
 namespace shortfall {
@@ -83,7 +84,7 @@ class NumericStep {
   }
 
   std::vector<Ball> balls(const std::vector<int>& digits, int bits) const {
-    const std::vector<Ball> letters = extras(bits);
+    const std::vector<Ball> letters = letter_balls(map_.extras, bits);
     Rows<Ball> power;
     for (const auto& row : a_) power.push_back(converted(row, letters, bits));
     std::vector<Ball> z = converted(start_, letters, bits);
@@ -149,45 +150,10 @@ class NumericStep {
     return result;
   }
 
-  /// Values of all letters: only those that stand for roots, exp and pow occur.
-  std::vector<Ball> extras(int bits) const {
-    std::vector<Ball> letters(kLetters, Ball(0, bits));
-    for (const ExtraLetters::Extra& e : map_.extras)
-      letters[e.letter] = e.root ? ball(*e.root, bits)
-                                 : value_of(e.function, value(e.a, letters, bits), value(e.b, letters, bits));
-    return letters;
-  }
-
-  static Ball value_of(Function f, const Ball& a, const Ball& b) {
-    if (f == Function::exp) return exp(a);
-    if (f == Function::sqrt) return sqrt(a);
-    if (f == Function::log) return log(a);
-    if (f == Function::pow) return exp(b * log(a));
-    throw Unable("the function " + std::string(name_of(f)) + " of the step is not computed in balls");
-  }
-
-  static Ball value(const Polynomial& p, const std::vector<Ball>& letters, int bits) {
-    Ball sum(0, bits);
-    for (const auto& term : p.terms()) {
-      Ball product(term.coefficient, bits);
-      for (Letter letter = 0; letter < kLetters; ++letter)
-        if (const int exponent = term.monomial.exponent(letter); exponent > 0)
-          product *= pow(letters[letter], exponent);
-      sum += product;
-    }
-    return sum;
-  }
-
-  static Ball value(const Fraction& f, const std::vector<Ball>& letters, int bits) {
-    if (f.is_constant()) return Ball(f.constant(), bits);
-    const Ball above = value(f.numerator(), letters, bits);
-    return f.is_polynomial() ? above : above / value(f.denominator(), letters, bits);
-  }
-
   static std::vector<Ball> converted(const std::vector<Fraction>& row, const std::vector<Ball>& letters,
                                      int bits) {
     std::vector<Ball> result;
-    for (const Fraction& f : row) result.push_back(value(f, letters, bits));
+    for (const Fraction& f : row) result.push_back(ball_value(f, letters, bits));
     return result;
   }
 
@@ -230,63 +196,16 @@ class NumericStep {
   Rows<Fraction> report_;
 };
 
-/// The true motion: a polynomial in t, and what is free about it.
-class NumericFlow {
- public:
-  NumericFlow(const NumericQuestion& q, const Rational& t)
-      : k_(q.force.stiffness().constant()), c_(q.force.damping().constant()), t_(t) {
-    Rational begin, rate;
-    for (int d = 0; d <= q.force.degree; ++d) {
-      const std::vector<Fraction> p = particular_polynomial(d, k_, c_);
-      const Rational& f = q.force.push.at(d);
-      Rational x, v;
-      for (std::size_t j = p.size(); j-- > 0;) {
-        v = v * t + x;
-        x = x * t + p[j].constant();
-      }
-      position_ += f * x;
-      velocity_ += f * v;
-      if (!p.empty()) begin += f * p[0].constant();
-      if (p.size() > 1) rate += f * p[1].constant();
-    }
-    free_x_ = q.x0 - begin;
-    free_v_ = q.v0 - rate;
-  }
-
-  std::array<std::optional<Rational>, 2> exact() const {
-    if (k_.is_zero() && (c_.is_zero() || free_v_.is_zero()))
-      return {position_ + free_x_ + free_v_ * t_, velocity_ + free_v_};
-    if ((free_x_.is_zero() && free_v_.is_zero()) || t_.is_zero())
-      return {position_ + free_x_, velocity_ + free_v_};
-    return {};
-  }
-
-  std::array<Ball, 2> balls(int bits) const {
-    const BallFlow f = ball_flow(k_, c_, t_, bits);
-    const Ball x(free_x_, bits), v(free_v_, bits);
-    return {Ball(position_, bits) + x * f.cosine + v * f.sine,
-            Ball(velocity_, bits) + x * f.cosine_rate + v * f.sine_rate};
-  }
-
- private:
-  Rational k_, c_, t_;
-  Rational position_, velocity_;  // of the polynomial
-  Rational free_x_, free_v_;      // first values of the rest
-};
-
-void check(const NumericQuestion& q, const Program& program) {
+void check(const NumericQuestion& q) {
   if (!q.steps.is_integer() || q.steps.sign() < 0 || q.steps > Rational(10).pow(100))
     throw BadInput("a number of steps is whole and from 0 to 10^100");
-  if ((q.force.own_k && !q.force.k) || (q.force.own_c && !q.force.c))
-    throw Unable("the true motion after n steps is computed for a rational damping; '" + program.name +
-                 "' solves x'' = " + print(program.solves) + ", where it is irrational");
   const auto need = [](bool there, const std::string& letter) {
     if (!there)
       throw BadInput("numbers after n steps need a number for " + letter +
                      ", as in spring:k=4, drag:c=1/2 or constant:a=3");
   };
-  need(!q.force.spring || q.force.k, "k");
-  need(!q.force.damper || q.force.c, "c");
+  need(!q.force.spring || q.force.k || q.force.own_k, "k");
+  need(!q.force.damper || q.force.c || q.force.own_c, "c");
   for (int d = 0; d <= q.force.degree; ++d)
     need(q.force.push.contains(d), q.force.degree == 0 ? "a" : "f" + std::to_string(d));
   if (q.force.degree > kHighestDegree)
@@ -300,25 +219,46 @@ bool settle(CertainNumber& number, int digits) {
   return number.decimal.has_value();
 }
 
+/// -981/100 - 3 x + log(7/10) v
+Expr acceleration(const Force& f, const std::vector<std::string>& letters) {
+  Expr total = number(0);
+  const auto add = [&](const Fraction& weight, const Expr& what) {
+    if (weight.is_zero()) return;
+    Expr term;
+    if (weight.is_constant()) {
+      const Expr size = number(weight.constant().abs());
+      term = is_number(what, 1) ? size : is_number(size, 1) ? what : size * what;
+      if (weight.constant().sign() < 0) term = negate(term);
+    } else {
+      term = formula(weight, what, Wording{letters, "n", false});
+    }
+    total = is_number(total, 0) ? term : joined(total, term);
+  };
+  for (int d = 0; d <= f.degree; ++d) add(f.push.at(d), power(name("t"), d));
+  if (f.spring) add(-f.stiffness(), name("x"));
+  if (f.damper) add(-f.damping(), name("v"));
+  return total;
+}
+
 int size_in_bits(const Rational& r) { return static_cast<int>(r.digits() * 10 / 3) + 1; }
 
 }  // namespace
 
-Force true_force(const Program& program, const NumericQuestion& q) {
-  return with_own_equation(q.force, program, parameter_values(program, q.parameters));
-}
-
 NumericMotion numeric_motion(const Program& program, const NumericQuestion& asked) {
   NumericQuestion q = asked;
-  q.force = true_force(program, asked);
-  check(q, program);
+  const NumberField field;
+  const Values values = parameter_values(program, asked.parameters);
+  ExtraLetters extras(letter_names(lower(program, values)));
+  q.force = with_own_equation(asked.force, program, values, extras);
+  check(q);
   const NumericStep step(program, q);
   const std::vector<int> digits = binary_digits(q.steps);
   NumericMotion m;
   m.time = q.steps * q.h;
+  m.acceleration = acceleration(q.force, extras.names());
   m.states = step.size();
   m.assumed = step.assumed();
-  const NumericFlow flow(q, m.time);
+  const NumericFlow flow(q, m.time, extras.all());
 
   if (const auto both = step.exact(digits)) {
     m.position.exact = (*both)[0];

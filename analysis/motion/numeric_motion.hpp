@@ -24,9 +24,6 @@ struct NumericQuestion {
   int digits = 50;               ///< significant ones wanted of every answer
 };
 
-/// The force of the true motion: with the integrator's own equation, see own_equation.hpp.
-Force true_force(const Program& program, const NumericQuestion& question);
-
 /// A number of which every digit shown is certain.
 struct CertainNumber {
   Ball ball;
@@ -37,7 +34,8 @@ struct CertainNumber {
 
 /// Position and velocity after n steps as an integrator makes them, and as they are.
 struct NumericMotion {
-  Rational time;  ///< t = n h
+  Rational time;      ///< t = n h
+  Expr acceleration;  ///< of the true motion, with numbers: the question's, and the integrator's own damping
   CertainNumber position, velocity;
   CertainNumber exact_position, exact_velocity;
   CertainNumber position_shortfall, velocity_shortfall;  ///< exact minus computed

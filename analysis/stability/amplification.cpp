@@ -2,32 +2,16 @@
 #include "analysis/stability/amplification.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "analysis/motion/step_map.hpp"
 #include "analysis/problems/letters.hpp"
+#include "analysis/problems/undisturbed_numbers.hpp"
+#include "analysis/stability/motion_pair.hpp"
 
 namespace shortfall {
 
 namespace {
-
-constexpr Letter kEigenvalue = kTimeLetter;  // a step's matrix does not contain the letter of time
-
-/// Monic in the eigenvalue, lowest power first.
-std::vector<Fraction> monic(const Polynomial& p) {
-  const std::vector<Polynomial> coefficients = p.coefficients(kEigenvalue);
-  std::vector<Fraction> result;
-  for (const Polynomial& c : coefficients) result.emplace_back(c, coefficients.back());
-  return result;
-}
-
-Polynomial cleared(const std::vector<Fraction>& p) {
-  Polynomial common = 1;
-  for (const Fraction& c : p) common = common * exact_quotient(c.denominator(), gcd(common, c.denominator()));
-  Polynomial result;
-  for (std::size_t k = 0; k < p.size(); ++k)
-    result += (p[k] * Fraction(common)).numerator() * Polynomial::letter(kEigenvalue, static_cast<int>(k));
-  return result;
-}
 
 /// Whether a factor has the root 1 where there is no force.
 bool belongs_to_motion(const Polynomial& factor) {
@@ -40,21 +24,11 @@ bool belongs_to_motion(const Polynomial& factor) {
 void split(Amplification& a) {
   std::vector<Fraction> p = characteristic_coefficients(a.matrix);
   for (Fraction& c : p) c = reduced(c, a.algebraic);
-  while (p[static_cast<std::size_t>(a.zeros)].is_zero()) ++a.zeros;
-  a.nonzero.assign(p.begin() + a.zeros, p.end());
-  if (a.nonzero.size() == 3) {
-    a.pair = a.nonzero;
-    return;
-  }
-  Polynomial motion = 1, others = 1;
-  for (const auto& [factor, multiplicity] : factor(cleared(a.nonzero)).factors) {
-    if (factor.degree(kEigenvalue) < 1) continue;
-    Polynomial& product = belongs_to_motion(factor) ? motion : others;
-    product = product * factor.pow(multiplicity);
-  }
-  if (motion.degree(kEigenvalue) != 2) return;
-  a.pair = monic(motion);
-  a.spurious = monic(others);
+  MotionPair found = motion_pair(p, belongs_to_motion);
+  a.zeros = found.zeros;
+  a.nonzero = std::move(found.nonzero);
+  a.pair = std::move(found.pair);
+  a.spurious = std::move(found.spurious);
 }
 
 }  // namespace
@@ -95,7 +69,7 @@ Amplification amplification(const Program& program, const Values& given, Damping
     if (!e.root && functions == FreeFunctions::letters) continue;
     if (!e.root)
       throw Unable("the step of " + program.name + " contains " + e.name +
-                   ", which depends on the length of the step itself");
+                   ", which depends on the length of the step itself: say how long it is, with --dt");
     algebraic.push_back({e.letter, *e.root});
   }
   const NumberField field(map.generators);
@@ -108,6 +82,43 @@ Amplification amplification(const Program& program, const Values& given, Damping
       matrix.back().push_back(f.substitute(kStepLetter, Fraction(1)));
     }
   }
+  return amplification(std::move(matrix), map.letters, map.states, std::move(algebraic));
+}
+
+Amplification amplification_at(const Program& program, const Values& given, const Rational& h,
+                               Damping damping, std::set<std::string>* rounded) {
+  const Tape tape = lower(program, parameter_values(program, given));
+  const Fraction c = damping == Damping::viscous ? Fraction::letter(kDamping) : Fraction();
+  StepMap map = step_map(tape, -1, Fraction::letter(kStiffness), c, Fraction(h));
+  const NumberField field(map.generators);
+  std::vector<std::pair<Letter, Rational>> values;
+  std::vector<AlgebraicLetter> algebraic;
+  const auto number = [&](Fraction f) {
+    for (const auto& [letter, value] : values) f = f.substitute(letter, value);
+    if (!f.is_constant())
+      throw Unable("the step of " + program.name + " contains a function of roots, which we do not round");
+    return f.constant();
+  };
+  for (const ExtraLetters::Extra& e : map.extras) {
+    if (e.root)
+      algebraic.push_back({e.letter, *e.root});
+    else if (rounded)
+      values.emplace_back(e.letter, value_to_100_digits(e.function, number(e.a), number(e.b), rounded));
+  }
+  // In units of the step a vector of dimension L T^p is h^-p times what it is in seconds.
+  std::vector<int> time;
+  for (const Dimension& d : tape.state_dimensions) time.push_back(d.time);
+  SquareMatrix<Fraction> matrix = map.matrix();
+  for (std::size_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t j = 0; j < matrix.size(); ++j) {
+      Fraction& f = matrix[i][j];
+      if (f.contains(kCount))
+        throw Unable("the step of " + program.name + " changes with t, so it has no amplification matrix");
+      for (const auto& [letter, value] : values) f = f.substitute(letter, value);
+      f = f.substitute(kStiffness, Fraction::letter(kStiffness) / Fraction(h * h))
+              .substitute(kDamping, Fraction::letter(kDamping) / Fraction(h)) *
+          Fraction(h.pow(time[j] - time[i]));
+    }
   return amplification(std::move(matrix), map.letters, map.states, std::move(algebraic));
 }
 

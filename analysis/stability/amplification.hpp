@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -59,9 +60,19 @@ enum class FreeFunctions {
 /// param   program  run once per step; frames of several substeps: see `repeated`
 /// throws  Unable  when the step depends on t, or has too many free parameters;  Undefined  when a stage is
 /// singular
-Amplification amplification(const Program& program, const Values& given = {},
-                            Damping damping = Damping::none,
+Amplification amplification(const Program& program, const Values& given = {}, Damping damping = Damping::none,
                             FreeFunctions functions = FreeFunctions::evaluated);
+
+/// Of a step of a length that is given, for damping whose share depends on it: all parameters have their
+/// values, and letters and units are those of `Amplification`.
+///
+/// param   h        s, the step
+/// param   rounded  gets the text of what functions make irrational, "pow(9/10, 1/60)", which is rounded to
+/// 100
+///                  digits; without it such values stay letters
+/// throws  as above
+Amplification amplification_at(const Program& program, const Values& given, const Rational& h,
+                               Damping damping, std::set<std::string>* rounded = nullptr);
 
 /// Of a frame of `count` steps, each of 1/count of the frame's h.
 Amplification repeated(const Amplification& step, int count);

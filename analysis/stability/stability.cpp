@@ -39,7 +39,8 @@ void check_dimensions(const Program& program, const Values& parameters) {
     for (const auto& row : a.matrix)
       if (!plain(p) && std::ranges::any_of(row, has_it))
         throw Unable("the step of " + program.name + " depends on h not only through h w and c h, because " +
-                     p.name + " " + p.dimension.bracketed() + " is not 0: give --param " + p.name + "=0");
+                     p.name + " " + p.dimension.bracketed() +
+                     " is not 0: say how long the step is, with --dt, or give --param " + p.name + "=0");
   }
 }
 
@@ -74,24 +75,36 @@ std::optional<RealRoot> stability_limit(const Windows& windows) {
   return std::nullopt;
 }
 
-Stability stability(const Program& program, const Values& given, int substeps) {
+Stability stability(const Program& program, const Values& given, int substeps,
+                    const std::optional<Rational>& dt) {
   Stability s;
   s.integrator = program.name;
   s.substeps = substeps;
   s.parameters = parameter_values(program, given);
-  check_dimensions(program, s.parameters);
+  s.dt = dt;
+  if (!dt) check_dimensions(program, s.parameters);
+  std::set<std::string> rounded;
+  const auto numbers = [&](Damping damping) {
+    return dt ? amplification_at(program, s.parameters, *dt / substeps, damping, &rounded)
+              : amplification(program, s.parameters, damping);
+  };
+  // Formulas say pow(9/10, 1/60) rather than its digits.
+  const auto formulas = [&](Damping damping, const Amplification& in_numbers) {
+    if (rounded.empty()) return in_numbers;
+    Amplification letters = amplification_at(program, s.parameters, *dt / substeps, damping);
+    return letters.pair.empty() ? in_numbers : letters;
+  };
   for (const Parameter& p : program.parameters)
     if (!given.contains(p.name)) s.assumed.push_back(p.name);
   s.of_substep = substeps > kSubstepsInFormulas;
   const int written = s.of_substep ? 1 : substeps;
-  s.undamped = repeated(amplification(program, given), written);
-
   // Powers of a frame's matrix are powers of a substep's: they are bounded together.
-  s.numbers = amplification(program, s.parameters);
+  s.numbers = numbers(Damping::none);
+  s.undamped = repeated(dt ? formulas(Damping::none, s.numbers) : amplification(program, given), written);
   s.windows = windows_of(s.numbers, substeps);
   if (const WindowEdge* edge = s.windows.limit(); edge && !edge->pole) {
     s.at_limit = edge->growth;
-    if (const auto square = edge->at.rational_square(); square && !s.of_substep)
+    if (const auto square = edge->at.rational_square(); square && !s.of_substep && !dt)
       s.limit_motion = limit_motion(program, s.parameters, substeps, *square);
   }
   Amplification runaway = s.numbers;
@@ -99,19 +112,20 @@ Stability stability(const Program& program, const Values& given, int substeps) {
     for (Fraction& f : row) f = f.substitute(kStiffness, -Fraction::letter(kStiffness));
   s.runaway = windows_of(runaway, substeps);
   try {
-    const Amplification damped = amplification(program, s.parameters, Damping::viscous);
+    const Amplification damped = numbers(Damping::viscous);
     s.drag = drag(damped);
     map_edges(s.drag->windows, [&](const RealRoot& d) { return scaled(d, substeps); });
     for (Drag::Reversal& r : s.drag->reversals) {
       r.from = scaled(r.from, substeps);
       if (r.to) r.to = scaled(*r.to, substeps);
     }
-    s.damped = repeated(damped, written);
-    s.function = stability_function(program, s.parameters);
+    s.damped = repeated(formulas(Damping::viscous, damped), written);
+    if (!dt) s.function = stability_function(program, s.parameters);
   } catch (const Undefined&) {
     // A stage that drag alone makes singular: there is nothing to report about it.
   }
   if (s.function) s.properties = stability_properties(*s.function);
+  s.rounded.assign(rounded.begin(), rounded.end());
   return s;
 }
 

@@ -20,6 +20,8 @@ namespace shortfall {
 struct Stability {
   std::string integrator;
   int substeps = 1;
+  std::optional<Rational> dt;        ///< s, the frame that all is for; none when it holds for every frame
+  std::vector<std::string> rounded;  ///< what was rounded to 100 digits; then nothing here is exact
   Values parameters;                 ///< the values that the windows are for
   std::vector<std::string> assumed;  ///< parameters that were not given: the windows are for their defaults
   Amplification undamped;            ///< of a frame; parameters that were not given stay letters
@@ -43,9 +45,13 @@ struct Stability {
 inline constexpr int kSubstepsInFormulas = 8;
 
 /// param   substeps  steps in a frame; h is the frame
-/// throws  Unable  when the step depends on t, or on h in another way than through h w and c h;  Undefined
-/// when a stage is singular
-Stability stability(const Program& program, const Values& given = {}, int substeps = 1);
+/// param   dt        s, the frame, for a step that depends on h in another way than through h w and c h, as
+///                   one does that damps by a number of its own; no letters are left then, and z = h w varies
+///                   with w alone
+/// throws  Unable  when the step depends on t, or without dt on h in another way;  Undefined when a stage is
+/// singular
+Stability stability(const Program& program, const Values& given = {}, int substeps = 1,
+                    const std::optional<Rational>& dt = std::nullopt);
 
 /// Windows in z = h w for claims and figures.
 Windows oscillator_windows(const Program& program, const Values& given = {});

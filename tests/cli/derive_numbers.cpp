@@ -1,40 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `shortfall derive --steps` as a user meets it.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "analysis/algebra/rational.hpp"
+#include "tests/cli/command.hpp"
 
 namespace shortfall {
 namespace {
 
-struct Outcome {
-  int code;
-  std::string text;  // stdout and stderr
-};
-
-Outcome derive(const std::string& arguments) {
-  FILE* pipe = ::popen((std::string(SHORTFALL_BINARY) + " derive " + arguments + " 2>&1").c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  Outcome o{0, {}};
-  char buffer[4096];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) o.text.append(buffer, n);
-  o.code = WEXITSTATUS(::pclose(pipe));
-  return o;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
+Outcome derive(const std::string& arguments) { return run("derive " + arguments); }
 
 TEST_CASE("10^18 steps are answered with digits, the radius of the ball and the sign") {
   const Outcome o = derive("velocity-verlet --force spring:k=1 --dt 1/10 --steps 1e18 --x0 1 --json");
   REQUIRE(o.code == 0);
-  const auto json = nlohmann::json::parse(o.text);
+  const auto json = nlohmann::json::parse(o.text());
   CHECK(json["schema"] == "shortfall.derive/1");
   CHECK(json["time"] == "100000000000000000");
   // cos(10^17), cos(10^18 acos(0.995)): computed with 100 digits elsewhere
@@ -47,20 +28,20 @@ TEST_CASE("10^18 steps are answered with digits, the radius of the ball and the 
 
 TEST_CASE("what is exact and short is a fraction") {
   const auto json = nlohmann::json::parse(
-      derive("velocity-verlet --force spring:k=1 --dt 1/10 --until 0.5 --x0 1m --json").text);
+      derive("velocity-verlet --force spring:k=1 --dt 1/10 --until 0.5 --x0 1m --json").text());
   CHECK(json["steps"] == "5");
   CHECK(json["position"] == "17549650999/20000000000");
 }
 
 TEST_CASE("gravity is the constant force that is not given") {
   const Outcome o = derive("symplectic-euler --steps 1e18 --v0 3");
-  CHECK(contains(o.text, "x'' = −981/100"));
-  CHECK(contains(o.text, "x(t) - x_n = 1962000000000000 m   exact"));
+  CHECK(contains(o.text(), "x'' = −981/100"));
+  CHECK(contains(o.text(), "x(t) - x_n = 1962000000000000 m   exact"));
 }
 
 TEST_CASE("the runaway of an unstable step is still a number") {
   const Outcome o = derive("explicit-euler --force spring:k=1 --dt 1/10 --steps 1e18 --x0 1");
-  CHECK(contains(o.text, "6.4567202788107927919484507218014951614760699851088e+2160686891321285"));
+  CHECK(contains(o.text(), "6.4567202788107927919484507218014951614760699851088e+2160686891321285"));
 }
 
 TEST_CASE("a question in numbers that lacks one is refused") {
@@ -77,7 +58,7 @@ TEST_CASE("a question in numbers that lacks one is refused") {
     CAPTURE(arguments);
     const Outcome o = derive(arguments);
     CHECK(o.code == 2);
-    CHECK(contains(o.text, word));
+    CHECK(contains(o.text(), word));
   }
   CHECK(derive("implicit-midpoint --force spring:k=-400 --dt 1/10 --steps 5").code == 4);
 }

@@ -1,34 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Jumps of engines as a user meets them.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "tests/cli/command.hpp"
 
 namespace shortfall {
 namespace {
-
-struct Outcome {
-  int code;
-  std::string out;  ///< and messages
-};
-
-Outcome run(const std::string& arguments) {
-  std::FILE* pipe = ::popen((std::string(SHORTFALL_BINARY) + " " + arguments + " 2>&1").c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::string text;
-  std::array<char, 4096> part{};
-  while (const std::size_t size = std::fread(part.data(), 1, part.size(), pipe))
-    text.append(part.data(), size);
-  return {WEXITSTATUS(::pclose(pipe)), text};
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST_CASE("--substeps sets the number of substeps of an engine that has its own") {
   const auto json = nlohmann::json::parse(run("jump rapier --height 1.7 --substeps 8 --json").out);
@@ -65,6 +44,18 @@ TEST_CASE("all engines, in a table, as CSV and as JSON; and how they are launche
   CHECK(run("jump physx --height 1 --launch throw").code == 2);
   CHECK(contains(run("jump physx-tgs-external-forces --height 1.7 --launch impulse").out, "does not exist"));
   CHECK(contains(run("correct rapier --height 1.7 --lang rust").out, "0.125 * gravity * dt"));
+}
+
+TEST_CASE("a force that is held over frame 1 launches, too") {
+  const auto json = json_of("jump rapier --height 1.7 --launch force");
+  CHECK(json["launch_by"] == "force");
+  CHECK(json["correction"]["launch"].is_null());
+  CHECK(json["on_frame"]["height"] == "17/10");
+  const Outcome o = run("jump rapier --height 1.7 --launch force");
+  CHECK(contains(o.out, "launched by a force that is held over frame 1"));
+  CHECK(contains(o.out, "the force's own frame included"));
+  CHECK(contains(run("jump --all-engines --height 1.7 --launch force").out, "held over frame 1"));
+  CHECK(run("jump --height 1.7 --launch force --dt-file frames.csv").code == 2);
 }
 
 }  // namespace

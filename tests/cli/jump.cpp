@@ -1,55 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `shortfall jump` as a user meets it: what it says, its JSON and CSV, its exit codes.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "analysis/algebra/rational.hpp"
+#include "tests/cli/command.hpp"
 
 namespace shortfall {
 namespace {
-
-namespace fs = std::filesystem;
-
-struct Outcome {
-  int code;
-  std::string out;
-  std::string error;
-};
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-Outcome run(const std::string& arguments) {
-  std::string name = (fs::temp_directory_path() / "shortfall-jump-XXXXXX").string();
-  REQUIRE(::mkdtemp(name.data()) != nullptr);
-  const fs::path folder = name;
-  const int status = std::system(
-      (std::string(SHORTFALL_BINARY) + " " + arguments + " >" + name + "/out 2>" + name + "/error").c_str());
-  Outcome result{WEXITSTATUS(status), text_of(folder / "out"), text_of(folder / "error")};
-  fs::remove_all(folder);
-  return result;
-}
-
-nlohmann::json json_of(const std::string& arguments) {
-  const Outcome o = run("jump " + arguments + " --json");
-  REQUIRE(o.code == 0);
-  return nlohmann::json::parse(o.out);
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 TEST_CASE("jump answers first, in the user's unit, and says what is rounded") {
   const Outcome o = run("jump --height 40cm --dt 0.02");
@@ -81,7 +41,7 @@ TEST_CASE("jump says when a body goes too high, and when it stays on the ground"
 }
 
 TEST_CASE("the JSON has the fields that other programs rely on") {
-  const auto json = json_of("--height 40cm");
+  const auto json = json_of("jump --height 40cm");
   CHECK(json["schema"] == "shortfall.jump/1");
   CHECK(json["integrator"] == "symplectic-euler");
   CHECK(json["dt"] == "1/50");
@@ -111,7 +71,7 @@ TEST_CASE("the JSON has the fields that other programs rely on") {
 }
 
 TEST_CASE("below the lift-off height the best frame is {0, 0}") {
-  const auto json = json_of("--height 1mm");
+  const auto json = json_of("jump --height 1mm");
   CHECK(json["best_frame"]["n"] == 0);
   CHECK(json["best_frame"]["height"] == "0");
   CHECK(json["lifts_off"] == false);
@@ -119,12 +79,12 @@ TEST_CASE("below the lift-off height the best frame is {0, 0}") {
 }
 
 TEST_CASE("a time step is a step or a rate, and g and substeps are honoured") {
-  CHECK(json_of("velocity-verlet --height 1.7 --dt 50Hz")["dt"] == "1/50");
-  CHECK(json_of("velocity-verlet --height 1.7 --dt 20ms")["correction"]["launch"] == "0");
-  CHECK(json_of("--height 1.7 --substeps 4")["correction"]["formula"] == "1/8*g*h");
-  CHECK(json_of("--height 1.7 --g 1.62")["correction"]["launch"] == "81/5000");
+  CHECK(json_of("jump velocity-verlet --height 1.7 --dt 50Hz")["dt"] == "1/50");
+  CHECK(json_of("jump velocity-verlet --height 1.7 --dt 20ms")["correction"]["launch"] == "0");
+  CHECK(json_of("jump --height 1.7 --substeps 4")["correction"]["formula"] == "1/8*g*h");
+  CHECK(json_of("jump --height 1.7 --g 1.62")["correction"]["launch"] == "81/5000");
   // 1/60f is a rational of its own: the correction is exact for it.
-  CHECK(json_of("--height 1.7 --dt 1/60f")["dt"] ==
+  CHECK(json_of("jump --height 1.7 --dt 1/60f")["dt"] ==
         Rational::from_double(static_cast<double>(1.0F / 60.0F)).str());
 }
 
@@ -134,8 +94,8 @@ TEST_CASE("a sweep is one line a height in CSV, a list in JSON, a table for peop
   CHECK(std::count(csv.out.begin(), csv.out.end(), '\n') == 51);
   CHECK(csv.out.starts_with("target_m,launch_m_per_s,best_frame,best_height_m,shortfall_m,"));
   CHECK(contains(csv.out, "\n100,44.294469180700202,225,99.557411313150"));
-  CHECK(json_of("--height 1:2:lin:3")["jumps"].size() == 3);
-  CHECK(json_of("--height 1:2:lin:3")["jumps"][1]["target"] == "3/2");
+  CHECK(json_of("jump --height 1:2:lin:3")["jumps"].size() == 3);
+  CHECK(json_of("jump --height 1:2:lin:3")["jumps"][1]["target"] == "3/2");
   CHECK(contains(run("jump --height 1mm:10m:log:5").out, "≈ 0.9561846440 m"));
 }
 
@@ -194,25 +154,23 @@ TEST_CASE("the messages name the culprit") {
 }
 
 TEST_CASE("an integrator file with a mistake is exit code 3, a flight without an end 4, a full disk 5") {
-  std::string name = (fs::temp_directory_path() / "shortfall-jump-XXXXXX").string();
-  REQUIRE(::mkdtemp(name.data()) != nullptr);
-  std::ofstream(name + "/wrong.integrator") << "integrator wrong\nstep\n  x = x + v\n";
-  std::ofstream(name + "/floating.integrator") << "integrator floating\nstep\n  x = x + h*v\n";
-  std::ofstream(name + "/damped.integrator") << "integrator damped\n  param c : 1/T = 1/10\nstep\n  v = (v + "
-                                                "h*a(x, v, t))*(1 - c*h)\n  x = x + h*v\n";
-  CHECK(run("jump " + name + "/wrong.integrator --height 1").code == 3);
-  CHECK(run("jump " + name + "/floating.integrator --height 1").code == 4);
-  CHECK(run("jump " + name + "/damped.integrator --height 1 --lang python").code == 4);
-  const Outcome damped = run("jump " + name + "/damped.integrator --height 1");
+  const Folder folder;
+  folder.write("wrong.integrator", "integrator wrong\nstep\n  x = x + v\n");
+  folder.write("floating.integrator", "integrator floating\nstep\n  x = x + h*v\n");
+  folder.write("damped.integrator",
+               "integrator damped\n  param c : 1/T = 1/10\nstep\n  v = (v + h*a(x, v, t))*(1 - c*h)\n"
+               "  x = x + h*v\n");
+  CHECK(folder.run("jump wrong.integrator --height 1").code == 3);
+  CHECK(folder.run("jump floating.integrator --height 1").code == 4);
+  CHECK(folder.run("jump damped.integrator --height 1 --lang python").code == 4);
+  const Outcome damped = folder.run("jump damped.integrator --height 1");
   CHECK(damped.code == 0);
   CHECK(contains(damped.out, "does not exist"));
-  CHECK(run("jump " + name + "/damped.integrator --height 1 --param c=0").out.find("½ g dt") !=
-        std::string::npos);
-  CHECK(run("jump --height 1 -o " + name + "/no/such/folder").code == 5);
+  CHECK(folder.run("jump damped.integrator --height 1 --param c=0").out.find("½ g dt") != std::string::npos);
+  CHECK(folder.run("jump --height 1 -o no/such/folder").code == 5);
   CHECK(run("jump --height 1 -o /dev/full").code == 5);
-  CHECK(run("jump --height 1 -o " + name + "/jump.txt").code == 0);
-  CHECK(contains(text_of(name + "/jump.txt"), "A jump to 1 m falls"));
-  fs::remove_all(name);
+  CHECK(folder.run("jump --height 1 -o jump.txt").code == 0);
+  CHECK(contains(folder.text("jump.txt"), "A jump to 1 m falls"));
 }
 
 }  // namespace

@@ -1,48 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `shortfall derive` and `correct` for springs, dampers and drag, as a user meets them.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "tests/cli/command.hpp"
 
 namespace shortfall {
 namespace {
 
-struct Outcome {
-  int code;
-  std::string text;  // stdout and stderr
-};
-
-Outcome run(const std::string& arguments) {
-  FILE* pipe = ::popen((std::string(SHORTFALL_BINARY) + " " + arguments + " 2>&1").c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  Outcome o{0, {}};
-  char buffer[4096];
-  while (const std::size_t n = std::fread(buffer, 1, sizeof buffer, pipe)) o.text.append(buffer, n);
-  o.code = WEXITSTATUS(::pclose(pipe));
-  return o;
-}
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
 TEST_CASE("an oscillator: frequency, launch, energy") {
   const Outcome o = run("derive velocity-verlet --force spring --ascii");
   CHECK(o.code == 0);
-  CHECK(contains(o.text, "k := -2*(C - 1)/h^2"));
-  CHECK(contains(o.text, "v^2 - 1/4*k^2*x^2*h^2 + k*x^2 is conserved exactly"));
-  CHECK(contains(o.text, "for k < 0: unstable physics"));
-  CHECK(contains(run("derive explicit-euler --force spring --ascii").text,
+  CHECK(contains(o.text(), "k := -2*(C - 1)/h^2"));
+  CHECK(contains(o.text(), "v^2 - 1/4*k^2*x^2*h^2 + k*x^2 is conserved exactly"));
+  CHECK(contains(o.text(), "for k < 0: unstable physics"));
+  CHECK(contains(run("derive explicit-euler --force spring --ascii").text(),
                  "v^2 + k*x^2, twice the energy, is multiplied by D = k*h^2 + 1"));
 }
 
 TEST_CASE("roots of equations come with their equations, their existence and numbers") {
   const Outcome o = run("correct rk4 --force spring:k=4 --dt 1/10 --json");
   REQUIRE(o.code == 0);
-  const auto json = nlohmann::json::parse(o.text);
+  const auto json = nlohmann::json::parse(o.text());
   CHECK(json["equations"]["unknowns"].size() == 2);
   CHECK(json["equations"]["zero"].size() == 2);
   CHECK(json["notes"].size() == 1);
@@ -52,20 +32,21 @@ TEST_CASE("roots of equations come with their equations, their existence and num
   CHECK(json["obstruction"].is_null());
   const Outcome text = run("correct rk4 --force spring --ascii");
   CHECK(
-      contains(text.text,
+      contains(text.text(),
                "a stiffness alone does not exist: the determinant of the step is 1/576*y^4 - 1/72*y^3 + 1"));
-  CHECK(contains(text.text, "implicit function theorem"));
-  CHECK(contains(text.text, "k_new = k + 1/60*k^3*h^4 + higher powers of h"));
+  CHECK(contains(text.text(), "implicit function theorem"));
+  CHECK(contains(text.text(), "k_new = k + 1/60*k^3*h^4 + higher powers of h"));
 }
 
 TEST_CASE("a kit that does not reach a step length says so") {
   const Outcome o = run("correct rk4 --force drag:c=4 --dt 1/2");
   CHECK(o.code == 4);
-  CHECK(contains(o.text, "the least that the step can give is 0.270395"));
+  CHECK(contains(o.text(), "the least that the step can give is 0.270395"));
 }
 
 TEST_CASE("a force of time is corrected by its derivatives, spelled out in JSON") {
-  const auto json = nlohmann::json::parse(run("correct symplectic-euler --force poly:1+spring --json").text);
+  const auto json =
+      nlohmann::json::parse(run("correct symplectic-euler --force poly:1+spring --json").text());
   bool force = false;
   for (const auto& c : json["corrections"])
     if (c["target"] == "f") force = contains(c["replace"], "f0 + f1*t");
@@ -74,11 +55,11 @@ TEST_CASE("a force of time is corrected by its derivatives, spelled out in JSON"
 }
 
 TEST_CASE("numbers that take the force away leave what remains") {
-  CHECK(
-      contains(run("derive symplectic-euler --force damped-spring:k=0,c=0").text, "constant acceleration a"));
-  CHECK(contains(run("derive symplectic-euler --force damped-spring:k=0,c=1 --ascii").text, "x'' = -v"));
-  CHECK(contains(run("derive symplectic-euler --force damped-spring:k=4,c=0 --ascii").text, "x'' = -4*x"));
-  CHECK(contains(run("derive rk4 --force damped-spring:k=4,c=4").text, "k = c^2/4, critically damped"));
+  CHECK(contains(run("derive symplectic-euler --force damped-spring:k=0,c=0").text(),
+                 "constant acceleration a"));
+  CHECK(contains(run("derive symplectic-euler --force damped-spring:k=0,c=1 --ascii").text(), "x'' = -v"));
+  CHECK(contains(run("derive symplectic-euler --force damped-spring:k=4,c=0 --ascii").text(), "x'' = -4*x"));
+  CHECK(contains(run("derive rk4 --force damped-spring:k=4,c=4").text(), "k = c^2/4, critically damped"));
 }
 
 }  // namespace

@@ -145,6 +145,20 @@ TEST_CASE(
             .effective.stable == false);
 }
 
+TEST_CASE("the true spring of an engine that damps by a power has the logarithm as its damping") {
+  SpringQuestion q;
+  q.k = 40;
+  q.h = Rational(1, 60);
+  q.parameters = {{"c", Rational(1, 10)}};
+  for (const char* engine : {"bullet", "cannon-es", "p2"}) {
+    CAPTURE(engine);
+    const SpringReport r = spring_report(find_integrator(engine), q);
+    REQUIRE(r.truth.damping_ratio);
+    CHECK(r.truth.damping_ratio->to_double() ==
+          doctest::Approx(-std::log(0.9) / (2 * std::sqrt(40.0))).epsilon(1e-12));
+  }
+}
+
 TEST_CASE("springs that are none are refused") {
   const Program p = find_integrator("symplectic-euler");
   CHECK_THROWS_AS(spring_report(p, {-1, 0, false, Rational(1, 60), 1, false, {}}), BadInput);

@@ -7,10 +7,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -19,11 +15,10 @@
 #include "analysis/correction/jump.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/parse.hpp"
+#include "tests/export/languages.hpp"
 
 namespace shortfall {
 namespace {
-
-namespace fs = std::filesystem;
 
 const Rational kG(981, 100), kDt(1, 50);
 
@@ -73,34 +68,6 @@ const std::vector<Sample>& samples() {
   }();
   return all;
 }
-
-bool installed(const std::string& tool) {
-  const bool found = std::system(("command -v " + tool + " >/dev/null 2>&1").c_str()) == 0;
-  if (!found) MESSAGE("skipped: " << tool << " is not installed");
-  return found;
-}
-
-/// A folder that goes away.
-struct Folder {
-  fs::path path = [] {
-    std::string name = (fs::temp_directory_path() / "shortfall-code-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    return fs::path(name);
-  }();
-  ~Folder() { fs::remove_all(path); }
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
-
-  /// What a command says, both ways; it must succeed.
-  std::string output(const std::string& command) const {
-    const std::string out = (path / "output").string();
-    const int code = std::system(("cd " + path.string() + " && (" + command + ") > output 2>&1").c_str());
-    std::ifstream in(out);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    CHECK_MESSAGE(code == 0, command << "\n" << text);
-    return text;
-  }
-};
 
 /// What each sample prints: launch, on-frame launch, highest frame after the library's binary32 launch,
 /// self-check (0 or 1); all for a jump of 1.7 m.

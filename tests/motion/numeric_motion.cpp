@@ -3,12 +3,15 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <random>
+#include <string>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/real.hpp"
 #include "analysis/motion/ball_flow.hpp"
 #include "analysis/program/catalogue.hpp"
+#include "analysis/program/print.hpp"
 #include "tests/motion/numeric_stepping.hpp"
 
 using namespace shortfall;
@@ -122,6 +125,63 @@ TEST_CASE(
       CHECK(near(Rational::parse(*digits), Rational::parse(series->str(110, std::ios_base::scientific)), 99));
     }
   }
+}
+
+TEST_CASE("the flow of numbers that are only known as balls is that of the exact numbers in them") {
+  std::mt19937 random(1690);
+  const auto draw = [&](int low, int high) {
+    return Rational(low + static_cast<int>(random() % (high - low + 1)), 1 + static_cast<int>(random() % 9));
+  };
+  for (int i = 0; i < 200; ++i) {
+    const Rational k = i % 5 == 0 ? Rational(0) : draw(-20, 40), c = i % 7 == 0 ? Rational(0) : draw(-5, 20);
+    if (!k.is_zero() && k == c * c / 4) continue;
+    const Rational t = draw(1, 12);
+    CAPTURE(k.str());
+    CAPTURE(c.str());
+    const BallFlow exact = ball_flow(k, c, t, 300);
+    const BallFlow inexact = ball_flow(Ball(k, 300), Ball(c, 300), Ball(t, 300));
+    for (const auto& [one, other] : {std::pair{&exact.cosine, &inexact.cosine},
+                                     {&exact.sine, &inexact.sine},
+                                     {&exact.cosine_rate, &inexact.cosine_rate},
+                                     {&exact.sine_rate, &inexact.sine_rate}}) {
+      CHECK(one->overlaps(*other));
+      CHECK((other->is_zero() || other->significant(60)));
+    }
+  }
+  // Exactly critical: the balls cannot tell, and claim nothing.
+  const BallFlow critical = ball_flow(Ball(Rational(1, 9), 100), Ball(Rational(2, 3), 100), Ball(1, 100));
+  CHECK_FALSE(critical.sine.significant(1));
+}
+
+TEST_CASE(
+    "an engine that damps by a power: the true damping is a logarithm, and the motion after n steps known") {
+  NumericQuestion q = question("constant:a=-9+spring:k=4", "1/50", "200");
+  q.parameters = {{"c", Rational(3, 10)}};
+  q.x0 = 1;
+  q.v0 = Rational(1, 2);
+  const NumericMotion m = numeric_motion(find_integrator("cannon-es"), q);
+  const double damping = -std::log(0.7), t = 4, w = std::sqrt(4 - damping * damping / 4);
+  const double rest = -9.0 / 4, free = 1 - rest, decay = std::exp(-damping * t / 2);
+  CHECK(std::stod(*m.exact_position.decimal) ==
+        doctest::Approx(rest +
+                        decay * (free * std::cos(w * t) + (0.5 + damping / 2 * free) / w * std::sin(w * t)))
+            .epsilon(1e-13));
+  double x = 1, v = 0.5;
+  for (int n = 0; n < 200; ++n) {
+    v = v * std::pow(0.7, 0.02) + 0.02 * (-9 - 4 * x);
+    x += 0.02 * v;
+  }
+  CHECK(std::stod(*m.position.decimal) == doctest::Approx(x).epsilon(1e-11));
+  CHECK(std::stod(*m.velocity.decimal) == doctest::Approx(v).epsilon(1e-11));
+  CHECK(std::stod(*m.position_shortfall.decimal) ==
+        doctest::Approx(std::stod(*m.exact_position.decimal) - x).epsilon(1e-9));
+  CHECK_FALSE(m.exact_position.exact);
+  CHECK(print(m.acceleration) == "-9 - 4*x + log(7/10)*v");
+  // Fall with drag, from rest, after 10^18 steps: the terminal speed, -9/c.
+  NumericQuestion fall = question("constant:a=-9", "1/50", "1e18");
+  fall.parameters = q.parameters;
+  CHECK(std::stod(*numeric_motion(find_integrator("cannon-es"), fall).exact_velocity.decimal) ==
+        doctest::Approx(-9 / damping).epsilon(1e-13));
 }
 
 TEST_CASE("questions without an answer are refused with a sentence") {

@@ -17,6 +17,23 @@ class RandomProgram {
  public:
   Program program();
 
+  /// The same with kicks and drifts instead of the step.
+  Program splitting_program() {
+    Program p = program();
+    p.start.clear();
+    p.states.clear();
+    p.step.clear();
+    p.finish.clear();
+    p.impulse.reset();
+    p.holds_force = false;
+    scalars_ = {{"p", kPure}, {"q", kPure}};
+    Splitting s;
+    for (int i = pick(1, 7); i > 0; --i) s.parts.push_back({pick(0, 2) == 0, entry(), {}});
+    s.parts.push_back({false, number(1), {}});
+    p.splitting = std::move(s);
+    return p;
+  }
+
   /// The same with a tableau instead of the step; what it lowers to is left to the reader of its text.
   Program tableau_program() {
     Program p = program();
@@ -24,6 +41,8 @@ class RandomProgram {
     p.states.clear();
     p.step.clear();
     p.finish.clear();
+    p.impulse.reset();
+    p.holds_force = false;
     scalars_ = {{"p", kPure}, {"q", kPure}};
     Tableau t;
     const int stages = pick(1, 5);
@@ -68,9 +87,20 @@ class RandomProgram {
 
   Dimension small() { return {pick(-1, 2), pick(-2, 3)}; }
 
+  /// exp, pow and so on: of positive numbers, so that they have values.
+  Expr function(Dimension d, int depth) {
+    if (d == kPure && pick(0, 2) == 0)
+      return pick(0, 2) ? call("exp", {scalar(kPure, 0)})
+                        : call("pow", {factor(kPure), pick(0, 2) ? name("h") : factor(kPure)});
+    if (pick(0, 3) == 0) return call("sqrt", {factor(d * d)});
+    return call(pick(0, 2) ? "max" : "min", {scalar(d, depth), scalar(d, depth)});
+  }
+
   Expr scalar(Dimension d, int depth) {
     if (depth == 0) return factor(d);
-    switch (pick(0, 7)) {
+    switch (pick(0, 8)) {
+      case 7:
+        return function(d, depth - 1);
       case 0:
         return binary(Op::add, scalar(d, depth - 1), scalar(d, depth - 1));
       case 1:
@@ -176,10 +206,37 @@ class RandomProgram {
     return s;
   }
 
+  Statement limit() {
+    Statement s;
+    s.kind = pick(0, 2) ? Statement::Kind::limit_speed : Statement::Kind::limit_move;
+    s.value = size(s.kind == Statement::Kind::limit_speed ? kVelocity : kLength);
+    return s;
+  }
+
+  /// A bare number, or what has the dimension.
+  Expr size(Dimension d) { return pick(0, 2) ? literal() : factor(d); }
+
+  /// Names that are made in it are gone after it.
+  Statement when() {
+    Statement s;
+    s.kind = Statement::Kind::when;
+    s.value = size(kVelocity);
+    const Names vectors = vectors_, scalars = scalars_;
+    s.body = statements(pick(1, 3), false);
+    vectors_ = vectors;
+    scalars_ = scalars;
+    return s;
+  }
+
   std::vector<Statement> statements(int count, bool in_step) {
     std::vector<Statement> block;
     for (int i = 0; i < count; ++i) {
-      const int kind = pick(0, in_step ? 8 : 6);
+      if (in_step && pick(0, 4) == 0) {
+        block.push_back(pick(0, 2) ? limit() : when());
+        continue;
+      }
+      // Small numbers are drawn more often: what comes last would hardly be seen.
+      const int kind = in_step && pick(0, 8) == 0 ? 7 : pick(0, in_step ? 7 : 6);
       if (kind == 0) {
         const Dimension d = small();
         const std::string local = "s" + std::to_string(++locals_);
@@ -220,6 +277,7 @@ inline Program RandomProgram::program() {
       {"p", kPure, number(Rational::parse("0.3")), {}},
       {"d", kLength, number(Rational::parse("1.25")), {}},
       {"m", kPure, number(2), {}},
+      {"c", kPure / kTime, number(Rational::parse("0.4")), {}},
       {"q", kPure, binary(Op::divide, binary(Op::subtract, number(1), name("p")), number(3)), {}}};
   carried_ = {{"x", kLength}, {"v", kVelocity}};
   if (pick(0, 2)) {
@@ -231,6 +289,16 @@ inline Program RandomProgram::program() {
   vectors_ = carried_;
   scalars_ = {{"h", kTime}, {"t", kTime}, {"p", kPure}, {"q", kPure}, {"d", kLength}};
   const Names outside = scalars_;
+  if (pick(0, 2)) {
+    p.impulse = State{"j", kVelocity, {}};
+    vectors_.emplace_back("j", kVelocity);
+  }
+  p.holds_force = pick(0, 3) == 0;
+  if (pick(0, 2))
+    p.assumptions = {{number(1), binary(Op::multiply, name("c"), name("h")), pick(0, 2) == 0, {}}};
+  if (pick(0, 3) == 0)
+    p.solves = binary(Op::subtract, force(name("x"), name("v"), name("t")),
+                      binary(Op::multiply, name("c"), name("v")));
   p.step = statements(pick(1, 5), true);
   p.step.push_back(assignment("x", vector(kLength, 4)));
   vectors_ = carried_;

@@ -5,6 +5,9 @@
 #include <algorithm>
 
 #include <bit>
+#include <functional>
+#include <map>
+#include <string>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/problems/numbers.hpp"
@@ -29,6 +32,7 @@ std::vector<std::uint32_t> bits(const Program& program) {
   std::vector<std::uint32_t> result;
   try {
     run.begin(0.7F, -0.4F, 0.5F);
+    if (tape.impulse >= 0) run.give_impulse(0.25F);
     for (int n = 0; n < 3; ++n) {
       run.step();
       const auto [x, v] = run.read_out();
@@ -100,6 +104,50 @@ TEST_CASE("a random tableau is printed as a file that reads as the same tableau 
     without_step.step.clear();
     RC_ASSERT(same(without_step, program));
   }));
+}
+
+TEST_CASE("a random splitting is printed as a file that reads as the same splitting and the same step") {
+  CHECK(rc::check([] {
+    const Program program = RandomProgram().splitting_program();
+    const Program once = parse(print(program), "once.integrator");
+    const Program twice = parse(print(once), "twice.integrator");
+    RC_ASSERT(same(once, twice));
+    RC_ASSERT(bits(once) == bits(twice));
+    Program without_step = once;
+    without_step.step.clear();
+    RC_ASSERT(same(without_step, program));
+  }));
+}
+
+TEST_CASE("random programs make every statement of the language") {
+  using Kind = Statement::Kind;
+  std::map<Kind, int> seen;
+  int impulses = 0, held = 0, functions = 0;
+  const std::function<void(const std::vector<Statement>&)> count = [&](const std::vector<Statement>& block) {
+    for (const Statement& s : block) {
+      ++seen[s.kind];
+      count(s.body);
+    }
+  };
+  CHECK(rc::check([&] {
+    for (int i = 0; i < 10; ++i) {  // a check of its own would begin with the same seed again
+      const Program p = RandomProgram().program();
+      count(p.step);
+      impulses += p.impulse.has_value();
+      held += p.holds_force;
+      functions += print(p).find("max(") != std::string::npos;
+    }
+  }));
+  for (const Kind kind :
+       {Kind::assign, Kind::solve, Kind::substeps, Kind::limit_speed, Kind::limit_move, Kind::when})
+    CHECK(seen[kind] >= 3);
+  CHECK(impulses >= 3);
+  CHECK(held >= 3);
+  CHECK(functions >= 3);
+  MESSAGE("of 1000 programs: " << seen[Kind::when] << " when, " << seen[Kind::limit_speed] << " and "
+                               << seen[Kind::limit_move] << " limits, " << seen[Kind::substeps]
+                               << " substeps, " << seen[Kind::solve] << " solve, " << impulses
+                               << " impulses, " << held << " held forces, " << functions << " max");
 }
 
 TEST_CASE("no pair of parentheses that is printed could be left out") {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The built command, run as a user runs it.
+#pragma once
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace shortfall {
+
+namespace fs = std::filesystem;
+
+/// What a command left behind.
+struct Outcome {
+  int code = 0;
+  std::string out;
+  std::string error;
+
+  std::string text() const { return out + error; }
+};
+
+/// A folder that goes away, with files in which commands are run.
+class Folder {
+ public:
+  Folder() {
+    std::string name = (fs::temp_directory_path() / "shortfall-command-XXXXXX").string();
+    REQUIRE(::mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Folder() { fs::remove_all(path_); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+
+  std::string text(const std::string& file) const {
+    std::ifstream in(path_ / file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+  }
+  void write(const std::string& file, const std::string& text) const {
+    std::ofstream(path_ / file, std::ios::binary) << text;
+  }
+  bool has(const std::string& file) const { return fs::exists(path_ / file); }
+
+  /// param   arguments  of the command, as a shell reads them
+  /// param   before     what stands before it, such as NO_COLOR=1
+  Outcome run(const std::string& arguments, const std::string& before = "") const {
+    const std::string command = "cd '" + path_.string() + "' && " + before + " '" + SHORTFALL_BINARY + "' " +
+                                arguments + " >.out 2>.error";
+    const int code = WEXITSTATUS(std::system(command.c_str()));
+    return {code, text(".out"), text(".error")};
+  }
+
+ private:
+  fs::path path_;
+};
+
+/// In an empty folder.
+inline Outcome run(const std::string& arguments) { return Folder().run(arguments); }
+
+/// The answer of a command that succeeds, with --json.
+inline nlohmann::json json_of(const std::string& arguments) {
+  const Outcome o = run(arguments + " --json");
+  CHECK(o.error == "");
+  REQUIRE(o.code == 0);
+  return nlohmann::json::parse(o.out);
+}
+
+inline bool contains(const std::string& text, const std::string& part) {
+  return text.find(part) != std::string::npos;
+}
+
+}  // namespace shortfall
