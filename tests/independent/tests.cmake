@@ -4,13 +4,17 @@ find_program(SHORTFALL_PYTHON3 python3)
 if(SHORTFALL_PYTHON3)
   add_test(NAME independent_catalogue
     COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/catalogue.py" "${PROJECT_SOURCE_DIR}/integrators")
+  # Its steps of a damped, driven spring are what tests/data holds.
+  add_test(NAME independent_spring_steps
+    COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/spring_steps.py" "${PROJECT_SOURCE_DIR}/integrators"
+      "${PROJECT_SOURCE_DIR}/tests/data/spring_steps.txt")
   # The order conditions of the bank of published methods, from the textbook.
   add_test(NAME independent_order_conditions
     COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/order_conditions.py" "${PROJECT_SOURCE_DIR}/tests/data/methods")
   # The planted misprints are wrong as they stand and right with their mends.
   add_test(NAME independent_misprints
     COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/misprints.py" "${PROJECT_SOURCE_DIR}/tests/data/misprints")
-  set_tests_properties(independent_catalogue independent_order_conditions independent_misprints PROPERTIES LABELS independent)
+  set_tests_properties(independent_catalogue independent_spring_steps independent_order_conditions independent_misprints PROPERTIES LABELS independent)
 else()
   message(STATUS "python3 is not installed: the tests of tests/independent are left out")
 endif()
