@@ -14,6 +14,8 @@ namespace {
 
 /// What is said of a claim that is true. A decimal is compared with the decimals as printed.
 std::string holding(const ClaimVerdict& v) {
+  if (v.trees_up_to > 0)
+    return "not contradicted by trees up to order " + std::to_string(v.trees_up_to) + ", and not proved";
   return v.digits == 0 ? "holds" : "holds to " + std::to_string(v.digits) + " digits";
 }
 
@@ -28,15 +30,18 @@ int show(const Question& q) {
                                 {"sources", program.sources},         {"text", print(program)}};
     json["claims"] = nlohmann::json::array();
     for (const ClaimVerdict& v : verdicts)
-      json["claims"].push_back(
-          {{"claim", v.claim}, {"holds", v.holds}, {"found", v.found}, {"digits", v.digits}});
+      json["claims"].push_back({{"claim", v.claim},
+                                {"holds", v.holds},
+                                {"found", v.found},
+                                {"digits", v.digits},
+                                {"proved", v.proved()}});
     write_output(json.dump(2) + "\n");
   } else {
     std::string text = print(program);
     if (!verdicts.empty())
-      text += program.approximate() ? "\n# What it claims, checked just now; " +
-                                          about_printed_decimals(program) + ":\n"
-                                    : "\n# What it claims, proved just now:\n";
+      text += program.approximate()
+                  ? "\n# What it claims, checked just now; " + about_printed_decimals(program) + ":\n"
+                  : "\n# What it claims, proved just now:\n";
     for (const ClaimVerdict& v : verdicts)
       text += "#   " + v.claim + (v.holds ? ": " + holding(v) : ": REFUTED, found " + v.found) + "\n";
     write_output(text);

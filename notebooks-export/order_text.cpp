@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "notebooks-export/series_json.hpp"
+#include "notebooks-export/series_text.hpp"
 
 namespace shortfall {
 
@@ -16,6 +17,10 @@ std::string number_text(const OrderOfClass& c) {
 
 /// "order 4 for every force a(x, t), 1 when the force reads the velocity".
 std::string headline(const OrderReport& r) {
+  if (r.order.classes.size() == 1) {
+    const OrderOfClass& c = r.order.classes.front();
+    return "order " + number_text(c) + " for " + c.forces->force;
+  }
   const OrderOfClass& general = r.order.of("general");
   const OrderOfClass& without_velocity = r.order.of("velocity_independent");
   const OrderOfClass& position = r.order.of("position_only");
@@ -38,6 +43,7 @@ std::string exactness(const Order& order) {
 
 /// The class whose first errors are shown: the widest among those of the highest order worth naming.
 const OrderOfClass& shown(const OrderReport& r) {
+  if (r.order.classes.size() == 1) return r.order.classes.front();
   const OrderOfClass& general = r.order.of("general");
   const OrderOfClass& without_velocity = r.order.of("velocity_independent");
   // Of a tableau with c = A 1 the conditions with time follow from those without.
@@ -73,6 +79,39 @@ std::string property(const std::string& word, const Property& p, int digits) {
          (condition.empty() ? "" : ", " + condition);
 }
 
+/// What the letters in exact coefficients stand for.
+std::string letters_text(const OrderOfClass& c, const SeriesSource& source, Style style) {
+  std::string text;
+  if (source.digits() > 0) return text;
+  for (const ExtraLetters::Extra& e : source.extras()) {
+    const auto root = std::ranges::find(source.program().roots, e.name, &Root::name);
+    if (root == source.program().roots.end()) continue;
+    if (std::ranges::none_of(
+            c.errors, [&](const ErrorTerm& t) { return mentions(source.formula(t.coefficient), e.name); }))
+      continue;
+    text += "  where " + print(name(e.name), style) + (style == Style::language ? " ~ " : " ≈ ") +
+            near(*root->value, 12).significant(10) + " solves " + print(root->left, style) + " = " +
+            print(root->right, style) + "\n";
+  }
+  return text;
+}
+
+std::string energy_text(const OrderReport& r, const SeriesSource& source, Style style) {
+  const EnergyChange& e = r.energy;
+  if (e.order == 0) return "kept for a = -V'(x) as far as h^" + std::to_string(e.looked_at);
+  constexpr std::size_t kLongest = 110;
+  SumByPowers sum(source, style);
+  std::size_t shown = 0;
+  std::string text;
+  for (; shown < e.terms.size() && (shown == 0 || text.size() < kLongest); ++shown) {
+    sum.add(e.order, e.terms[shown].coefficient, e.terms[shown].contraction);
+    text = sum.str();
+  }
+  text = text.starts_with(" + ") ? text.substr(3) : "-" + text.substr(3);
+  if (shown < e.terms.size()) text += " + " + std::to_string(e.terms.size() - shown) + " more";
+  return "changes in a step by " + text + " + ..., for a = -V'(x)";
+}
+
 constexpr std::size_t kShownErrors = 12;
 
 std::string errors_text(const OrderOfClass& c, const SeriesSource& source, Style style) {
@@ -103,40 +142,75 @@ std::string errors_text(const OrderOfClass& c, const SeriesSource& source, Style
     text += "  ... and " + std::to_string(c.errors.size() - count) + " more (--json lists all)\n";
   const Norm n = norm(c, source);
   text += "  norm (root of the sum of squares) ";
-  if (n.squares.is_constant() && source.digits() == 0 && n.squares.constant().digits() <= 12)
-    text += "sqrt(" + n.squares.constant().str() + ") ";
+  constexpr std::size_t kLongestExact = 60;
+  if (const std::string squares = print(source.formula(n.squares));
+      source.digits() == 0 && squares.size() <= kLongestExact)
+    text += "sqrt(" + (style == Style::language ? squares : print(source.formula(n.squares), style)) + ") ";
   text += (style == Style::language ? "~ " : "≈ ") + Rational::from_double(n.value).significant(6) + "\n";
-  return text;
+  return text + letters_text(c, source, style);
+}
+
+void add_structure(const OrderReport& r, const SeriesSource& source, nlohmann::ordered_json& json) {
+  const auto property_json = [](const Property& p) {
+    const char* words[] = {"proved", "refuted", "not contradicted"};
+    return nlohmann::ordered_json{{"holds", p.holds()},
+                                  {"verdict", words[static_cast<int>(p.verdict)]},
+                                  {"trees_up_to", p.up_to},
+                                  {"how", p.how}};
+  };
+  json["symmetric"] = property_json(r.structure.symmetric);
+  json["symplectic"] = property_json(r.structure.symplectic);
+  const auto or_null = [](const auto& value) {
+    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
+  };
+  json["stage_order"] = or_null(r.structure.stage_order);
+  json["embedded_order"] = or_null(r.structure.embedded_order);
+  json["row_sums"] = or_null(r.structure.row_sums);
+  json["conjugate_symplectic"] = r.structure.conjugate_symplectic
+                                     ? property_json(*r.structure.conjugate_symplectic)
+                                     : nlohmann::ordered_json(nullptr);
+  json["energy_preserving"] = property_json(r.structure.energy_preserving);
+  json["energy_change"] = {{"order", r.energy.order > 0 ? nlohmann::ordered_json(r.energy.order)
+                                                        : nlohmann::ordered_json(nullptr)},
+                           {"looked_at", r.energy.looked_at},
+                           {"terms", nlohmann::ordered_json::array()}};
+  for (const EnergyChange::Term& t : r.energy.terms)
+    json["energy_change"]["terms"].push_back(
+        {{"contraction", t.contraction}, {"coefficient", number_json(t.coefficient, source)}});
 }
 
 }  // namespace
 
+bool OrderReport::cut_short() const {
+  return std::ranges::any_of(order.classes, [](const OrderOfClass& c) { return !c.too_many.empty(); });
+}
+
 std::string as_text(const OrderReport& r, const SeriesSource& source, Style style) {
   std::string text = r.order.integrator + ": " + headline(r) + "\n  " + exactness(r.order) + "\n";
   for (const std::string& note : r.order.notes) text += "  " + note + "\n";
-  text += "\n  forces                  order   conditions up to it\n";
+  text += "\n  forces                  order        conditions up to it\n";
   for (const OrderOfClass& c : r.order.classes) {
     std::string row = "  " + c.forces->force;
     row.resize(26, ' ');
     row += number_text(c);
-    row.resize(std::max<std::size_t>(row.size() + 1, 34), ' ');
+    row.resize(39, ' ');
     text += row + std::to_string(c.conditions) +
-            (c.by_the_start ? "   (the step itself is better; the start is not)" : "") + "\n";
+            (c.by_the_start ? "   (what the start gets wrong allows no more)" : "") +
+            (c.too_many.empty() ? "" : "   (" + c.too_many + ")") + "\n";
   }
+  if (r.order.classes.size() == 1) return text + errors_text(shown(r), source, style);
   const Structure& s = r.structure;
   text += "\n  symmetric     " + property("symmetric", s.symmetric, r.order.digits) + "\n";
   text += "  symplectic    " + property("symplectic", s.symplectic, r.order.digits) + "\n";
   if (s.conjugate_symplectic)
     text += "    conjugate   " +
             property("conjugate to a symplectic step", *s.conjugate_symplectic, r.order.digits) + "\n";
-  text += "  energy        " +
-          (s.energy_preserving.holds() ? "v^2/2 + V is kept as far as trees up to order " +
-                                             std::to_string(s.energy_preserving.up_to) + " tell"
-                                       : "v^2/2 + V is not kept: " + s.energy_preserving.how) +
-          "\n";
+  text += "  energy        " + energy_text(r, source, style) + "\n";
   if (s.stage_order) text += "  stage order   " + std::to_string(*s.stage_order) + "\n";
   if (s.embedded_order) text += "  embedded      order " + std::to_string(*s.embedded_order) + "\n";
-  if (s.row_sums && !*s.row_sums) text += "  c = A 1       no: some c is not the sum of its row\n";
+  if (s.row_sums)
+    text += std::string("  c = A 1       ") + (*s.row_sums ? "yes" : "no: some c is not the sum of its row") +
+            "\n";
   if (r.processing.forces)
     text += "  effective     " +
             std::string(r.processing.effective_order > r.processing.plain_order
@@ -151,35 +225,22 @@ std::string as_text(const OrderReport& r, const SeriesSource& source, Style styl
 nlohmann::ordered_json as_json(const OrderReport& r, const SeriesSource& source) {
   nlohmann::ordered_json json{{"schema", "shortfall.order/1"},
                               {"integrator", r.order.integrator},
-                              {"order", r.order.of("general").order}};
+                              {"order", r.order.classes.front().order}};
   json["classes"] = nlohmann::ordered_json::object();
   for (const OrderOfClass& c : r.order.classes) json["classes"][c.forces->key] = c.order;
   json["at_least"] = nlohmann::ordered_json::array();
   for (const OrderOfClass& c : r.order.classes)
     if (c.at_least) json["at_least"].push_back(c.forces->key);
+  json["too_many_trees"] = nlohmann::ordered_json::object();
+  for (const OrderOfClass& c : r.order.classes)
+    if (!c.too_many.empty()) json["too_many_trees"][c.forces->key] = c.too_many;
   json["proved"] = r.order.digits == 0;
   json["digits"] =
       r.order.digits == 0 ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(r.order.digits);
+  if (r.order.classes.size() == 1) json["class"] = r.order.classes.front().forces->key;
   json["effective_order"] = r.processing.forces ? nlohmann::ordered_json(r.processing.effective_order)
                                                 : nlohmann::ordered_json(nullptr);
-  const auto property_json = [](const Property& p) {
-    const char* words[] = {"proved", "refuted", "not contradicted"};
-    return nlohmann::ordered_json{{"holds", p.holds()},
-                                  {"verdict", words[static_cast<int>(p.verdict)]},
-                                  {"trees_up_to", p.up_to},
-                                  {"how", p.how}};
-  };
-  json["symmetric"] = property_json(r.structure.symmetric);
-  json["symplectic"] = property_json(r.structure.symplectic);
-  json["conjugate_symplectic"] = r.structure.conjugate_symplectic
-                                     ? property_json(*r.structure.conjugate_symplectic)
-                                     : nlohmann::ordered_json(nullptr);
-  json["energy_preserving"] = property_json(r.structure.energy_preserving);
-  const auto or_null = [](const auto& value) {
-    return value ? nlohmann::ordered_json(*value) : nlohmann::ordered_json(nullptr);
-  };
-  json["stage_order"] = or_null(r.structure.stage_order);
-  json["embedded_order"] = or_null(r.structure.embedded_order);
+  if (r.order.classes.size() > 1) add_structure(r, source, json);
   const OrderOfClass& c = shown(r);
   json["error_forces"] = c.forces->key;
   json["error_of_start"] = c.by_the_start;

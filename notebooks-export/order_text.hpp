@@ -5,6 +5,7 @@
 #include <string>
 
 #include "analysis/program/print.hpp"
+#include "analysis/series/invariants.hpp"
 #include "analysis/series/order.hpp"
 #include "analysis/series/processing.hpp"
 #include "analysis/series/structure.hpp"
@@ -16,6 +17,10 @@ struct OrderReport {
   Order order;
   Structure structure;
   Processing processing;  ///< for a(x, t): the effective order
+  EnergyChange energy;
+
+  /// Whether trees that do not fit ended the search in some class.
+  bool cut_short() const;
 };
 
 std::string as_text(const OrderReport& report, const SeriesSource& source, Style style);

@@ -15,6 +15,10 @@ struct ClaimVerdict {
   std::string found;  ///< what is true instead, in the same words: "shortfall a*h*t/2"
   /// 0: proved. Otherwise coefficients are known to some digits only (approx), and it holds to so many.
   int digits = 0;
+  /// Not 0: nothing is proved; it is not contradicted by trees up to this order.
+  int trees_up_to = 0;
+
+  bool proved() const { return holds && digits == 0 && trees_up_to == 0; }
 };
 
 /// Proves or refutes the claims about forces that are polynomials in time (exact, shortfall, shortfall-velocity), parameters kept as

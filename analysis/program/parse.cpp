@@ -30,7 +30,8 @@ const std::vector<std::string>& claim_words() {
 
 /// What a force may read, behind `order P if`.
 const std::vector<std::string>& force_notations() {
-  static const std::vector<std::string> notations{"a(x, v, t)", "a(x, t)", "a(x, v)", "a(x)", "a(t)"};
+  static const std::vector<std::string> notations{"a(x, v, t)", "a(x, t)", "a(x, v)",
+                                                  "a(x)",       "a(t)",    "T(p) + V(q)"};
   return notations;
 }
 
@@ -276,7 +277,12 @@ class FileParser {
     const auto number_read = in.signed_number("an order");
     Claim claim{first, number(number_read.value, number_read.place), place};
     if (!in.at_end()) {
-      if (in.peek().kind != Token::Kind::name || in.peek().text != "if")
+      if (in.peek().kind != Token::Kind::name)
+        throw in.error(
+            "an order is a whole number, with 'if' and what the force may read behind it where it "
+            "is not for every force; found " +
+            in.found());
+      if (in.peek().text != "if")
         throw in.error("expected 'if' and what the force may read, as in: " + first +
                        " 4 if a(x, t); found " + in.found());
       in.take();
@@ -289,9 +295,10 @@ class FileParser {
         if (bare == notation) claim.forces = known;
       }
       if (claim.forces.empty())
-        throw in.error(notation_place,
-                       "a force is said by what it reads: a(x, v, t), a(x, t), a(x, v), a(x) or a(t)" +
-                           did_you_mean(notation, force_notations()));
+        throw in.error(
+            notation_place,
+            "a force is said by what it reads: a(x, v, t), a(x, t), a(x, v), a(x) or a(t); or T(p) + V(q)" +
+                did_you_mean(notation, force_notations()));
     }
     program_.claims.push_back(std::move(claim));
   }

@@ -54,6 +54,8 @@ std::string vector_text(const TreeTable& table, TreeId child, bool latex) {
   return text + ")";
 }
 
+}  // namespace
+
 std::string contraction(const TreeTable& table, TreeId t, bool latex) {
   const Parts p = parts(table, t);
   std::string text = derivative(p.space.size(), p.time, latex);
@@ -64,6 +66,8 @@ std::string contraction(const TreeTable& table, TreeId t, bool latex) {
     text += (i > 0 ? ", " : "") + vector_text(table, p.space[i], latex);
   return text + ")";
 }
+
+namespace {
 
 void count_factors(const TreeTable& table, TreeId t, bool root, std::vector<int>& factors) {
   const auto add = [&](std::size_t index) {

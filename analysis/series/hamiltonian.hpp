@@ -42,6 +42,9 @@ template <class K>
 ModifiedHamiltonian hamiltonian(const SeriesSource& source, const TreeTable& table,
                                 const TreeSeries<K>& field);
 
+/// A tree with the force at its root as a contraction of derivatives of V and velocities, without its sign.
+std::string contraction(const TreeTable& table, TreeId t, bool latex = false);
+
 /// That of a step, for a(x), up to trees of an order.
 ModifiedHamiltonian modified_hamiltonian(const SeriesSource& source, int order,
                                          const OrderLimits& limits = {});

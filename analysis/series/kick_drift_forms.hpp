@@ -11,7 +11,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/real_roots.hpp"
 #include "analysis/algebra/univariate.hpp"
-#include "analysis/program/function.hpp"
+#include "analysis/problems/functions.hpp"
 #include "analysis/series/splitting_numbers.hpp"
 
 namespace shortfall {
@@ -112,7 +112,12 @@ struct KickDriftForms {
   void solve(std::vector<Vector>&, F&&) const {
     throw Unable("it solves for a stage, while kicks and drifts are explicit");
   }
-  Scalar function(Function f, const Scalar& a, const Scalar&) const {
+  Scalar function(Function f, const Scalar& a, const Scalar& b) const {
+    // An engine's damping that is switched off: pow(1, h), max(0, 1).
+    if (f == Function::pow && a.degree() == 0 && (a[0] - Field(1)).is_zero()) return a;
+    if constexpr (std::is_same_v<Field, Rational>)
+      if ((f == Function::max || f == Function::min) && a.degree() <= 0 && b.degree() <= 0)
+        return Scalar({value_of(f, a.is_zero() ? Rational(0) : a[0], b.is_zero() ? Rational(0) : b[0])});
     if (f != Function::sqrt || a.degree() > 0)
       throw Unable("its coefficients are no polynomials in h: " + std::string(name_of(f)) + " makes them");
     return Scalar({numbers.square_root(a.is_zero() ? Field(0) : a[0])});

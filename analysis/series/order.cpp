@@ -2,10 +2,12 @@
 #include "analysis/series/order.hpp"
 
 #include <algorithm>
+#include <cstdio>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/suggest.hpp"
 #include "analysis/series/differential.hpp"
+#include "analysis/series/separable_order.hpp"
 
 namespace shortfall {
 
@@ -31,12 +33,22 @@ Signature signature_for(const SeriesSource& source, const ForceClass& forces) {
   return forces.signature;
 }
 
-bool fits(const Signature& signature, int order, const OrderLimits& limits) {
-  if (TreeTable::bytes_needed(signature, order) > limits.most_bytes) return false;
+}  // namespace
+
+std::string too_many_trees(const Signature& signature, int order, const OrderLimits& limits) {
+  const double bytes = TreeTable::bytes_needed(signature, order);
+  const std::string head = "order " + std::to_string(order) + " has ";
+  if (bytes > limits.most_bytes) {
+    char text[100];
+    std::snprintf(text, sizeof text, "trees of %.3g MB; %.3g MB are allowed", bytes / 1e6,
+                  limits.most_bytes / 1e6);
+    return head + text;
+  }
   Rational trees;
   for (std::size_t f = 0; f < signature.functions.size(); ++f)
     for (const Rational& count : tree_counts(signature, static_cast<int>(f), order)) trees += count;
-  return trees <= Rational(limits.most_trees);
+  if (trees <= Rational(limits.most_trees)) return {};
+  return head + trees.str() + " trees; at most " + std::to_string(limits.most_trees) + " are looked at";
 }
 
 template <class K>
@@ -53,7 +65,10 @@ std::vector<ErrorTerm> terms_of_order(const SeriesSource& source, const TreeTabl
   return errors;
 }
 
-}  // namespace
+template std::vector<ErrorTerm> terms_of_order(const SeriesSource&, const TreeTable&, int,
+                                               const TreeSeries<Rational>&);
+template std::vector<ErrorTerm> terms_of_order(const SeriesSource&, const TreeTable&, int,
+                                               const TreeSeries<Fraction>&);
 
 const std::vector<ForceClass>& force_classes() {
   static const std::vector<ForceClass> classes{
@@ -84,16 +99,26 @@ const ForceClass& force_class(const std::string& word) {
                  "or a(x, v, t), a(x, t), a(x, v), a(x), a(t)");
 }
 
-const OrderOfClass& Order::of(const std::string& key) const {
+const OrderOfClass* Order::find(const std::string& key) const {
   for (const OrderOfClass& c : classes)
-    if (c.forces->key == key) return c;
+    if (c.forces->key == key) return &c;
+  return nullptr;
+}
+
+const OrderOfClass& Order::of(const std::string& key) const {
+  if (const OrderOfClass* c = find(key)) return *c;
   throw BadInput("no class of forces is called '" + key + "'");
 }
 
 OrderOfClass order_of_class(const SeriesSource& source, const ForceClass& forces, const OrderLimits& limits) {
   const Signature signature = signature_for(source, forces);
-  OrderOfClass result{&forces, 0, true, false, 0, {}};
-  for (int n = 1; n <= limits.highest && fits(signature, n, limits); ++n) {
+  OrderOfClass result;
+  result.forces = &forces;
+  result.at_least = true;
+  for (int n = 1; n <= limits.highest; ++n) {
+    result.too_many = too_many_trees(signature, n, limits);
+    if (!result.too_many.empty()) break;
+    if (limits.progress) limits.progress("order for " + forces.force, n, limits.highest);
     const TreeTable table(signature, n, limits.most_bytes);
     std::vector<ErrorTerm> errors, start;
     with_coefficients(source, [&]<class K>() {
@@ -121,13 +146,18 @@ OrderOfClass order_of_class(const SeriesSource& source, const ForceClass& forces
   return result;
 }
 
-Order order(const SeriesSource& source, const OrderLimits& limits) {
+Order order(const SeriesSource& source, const OrderLimits& limits, const ForceClass* only) {
   Order result;
   result.integrator = source.program().name;
   result.digits = source.digits();
   result.notes = source.notes();
   for (const ForceClass& forces : force_classes())
-    result.classes.push_back(order_of_class(source, forces, limits));
+    if (!only || only == &forces) result.classes.push_back(order_of_class(source, forces, limits));
+  if (!only || only == &separable_forces()) {
+    const SeparableOrder found = separable_order(source, limits);
+    if (found.order) result.classes.push_back(*found.order);
+    if (only && !found.order) throw Unable(found.why_not);
+  }
   return result;
 }
 

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "analysis/algebra/error.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/series/order.hpp"
+#include "analysis/series/separable_order.hpp"
 #include "analysis/series/structure.hpp"
 
 namespace shortfall {
@@ -19,9 +21,20 @@ ClaimVerdict order_verdict(const SeriesSource& source, const Claim& claim) {
   claim.value->value.fits_int64(claimed);
   OrderLimits limits;
   limits.highest = static_cast<int>(claimed) + 1;  // a higher order than claimed is a wrong claim, too
-  const OrderOfClass found =
-      order_of_class(source, force_class(claim.forces.empty() ? "general" : claim.forces), limits);
   ClaimVerdict verdict{claim.str(), false, {}, source.digits()};
+  OrderOfClass found;
+  if (claim.forces == separable_forces().force) {
+    const SeparableOrder separable = separable_order(source, limits);
+    if (!separable.order) {
+      verdict.found = separable.why_not;
+      return verdict;
+    }
+    found = *separable.order;
+  } else {
+    found = order_of_class(source, force_class(claim.forces.empty() ? "general" : claim.forces), limits);
+  }
+  if (found.at_least && found.order < claimed)
+    throw Unable("'" + claim.str() + "' is not decided: " + found.too_many);
   verdict.holds = !found.at_least && found.order == claimed;
   verdict.found =
       "order " + std::to_string(found.order) + (found.at_least ? " or more" : "") + condition(claim);
@@ -41,7 +54,8 @@ ClaimVerdict property_verdict(const SeriesSource& source, const Claim& claim, co
   if (p.verdict == Property::Verdict::refuted) found = "not " + claim.word + ": " + p.how;
   if (p.verdict == Property::Verdict::not_contradicted && p.up_to > 0)
     found = claim.word + " as far as trees up to order " + std::to_string(p.up_to) + " tell";
-  return {claim.str(), p.holds(), found, source.digits()};
+  return {claim.str(), p.holds(), found, source.digits(),
+          p.verdict == Property::Verdict::not_contradicted ? p.up_to : 0};
 }
 
 }  // namespace

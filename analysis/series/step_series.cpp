@@ -168,6 +168,13 @@ ButcherTableau<K> SeriesSource::tableau() const {
   return result;
 }
 
+std::vector<Fraction> SeriesSource::splitting_weights() const {
+  std::vector<Fraction> weights;
+  if (program_.splitting)
+    for (const Splitting::Part& part : program_.splitting->parts) weights.push_back(entry(part.weight));
+  return weights;
+}
+
 template <class K>
 OneStep<K> SeriesSource::step(const TreeTable& table, const TreeSeries<K>* force) const {
   const Signature& s = table.signature();

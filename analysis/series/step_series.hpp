@@ -49,6 +49,8 @@ class SeriesSource {
   /// The entries of the tableau.  K is Rational (when rational()) or Fraction.
   template <class K>
   ButcherTableau<K> tableau() const;
+  /// The weights of the program's `splitting` block; empty without one.
+  std::vector<Fraction> splitting_weights() const;
 
   /// The step in the trees of a table: mechanical signatures by running it, others by its tableau.
   ///

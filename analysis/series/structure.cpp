@@ -48,7 +48,7 @@ bool keeps_quadratic_invariants(const SeriesSource& source, const ButcherTableau
 /// Of kicks and drifts.
 struct PartsFound {
   bool is_splitting = false;
-  bool plain = false;  ///< nothing special at start and finish, and time goes with the drifts
+  bool time_follows_drifts = false;
   bool palindrome = false;
   bool conjugate = false;  ///< start and finish undo each other, or are not there
 };
@@ -60,14 +60,15 @@ PartsFound parts_of(const Program& program, const Values& given) {
   std::visit(
       [&](const auto& parts) {
         if constexpr (requires { parts.step; }) {
-          const auto step = merged(parts.step);
-          const auto back = merged(adjoint(parts.step));
-          found.palindrome = std::ranges::equal(step, back, [](const auto& a, const auto& b) {
-            return a.kick == b.kick && (a.weight - b.weight).is_zero();
-          });
-          found.plain =
-              parts.time_follows_drifts && merged(parts.start).empty() && merged(parts.finish).empty();
           found.conjugate = merged(composed(parts.start, parts.finish)).empty();
+          if (!found.conjugate) return;
+          // As it is reported: start, step, and the finish that undoes the start.
+          const auto whole = composed(composed(parts.start, parts.step), parts.finish);
+          const auto step = merged(whole), back = merged(adjoint(whole));
+          found.palindrome = std::ranges::equal(step, back, [](const auto& a, const auto& b) {
+            return a.kick == b.kick && zero_as_known(a.weight - b.weight);
+          });
+          found.time_follows_drifts = parts.time_follows_drifts;
         }
       },
       reading.parts);
@@ -107,7 +108,7 @@ Property symmetric(const SeriesSource& source, const PartsFound& parts) {
   Property general = symmetric_per_tree(source, force_class("general").signature, kGeneral);
   if (general.holds()) return general;
   // Most kicks are given a velocity of another moment: for forces that do not read it more may hold.
-  if (parts.palindrome && parts.plain)
+  if (parts.palindrome && parts.time_follows_drifts)
     return {exact ? Verdict::proved : Verdict::not_contradicted, 0,
             "for forces a(x, t): a palindrome of kicks and drifts"};
   Property still =

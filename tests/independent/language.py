@@ -256,7 +256,7 @@ class Integrator:
         key = (word, forces.replace(" ", ""))
         if key in self.series_claims or (word.startswith("sym") and rest):
             raise Bad(f"claim '{word} {rest}'")
-        if key[1] not in ("", "a(x,v,t)", "a(x,t)", "a(x,v)", "a(x)", "a(t)"):
+        if key[1] not in ("", "a(x,v,t)", "a(x,t)", "a(x,v)", "a(x)", "a(t)", "T(p)+V(q)"):
             raise Bad(f"forces '{forces}'")
         self.series_claims[key] = int(number) if number else True
 
