@@ -2,6 +2,7 @@
 #include "analysis/algebra/ball.hpp"
 
 #include <algorithm>
+#include <cstdlib>
 #include <limits>
 #include <new>
 #include <utility>
@@ -219,7 +220,13 @@ std::optional<std::string> Ball::significant(int digits) const {
     scaled += Ball(Rational(1, 2), bits);
     arb_floor(raw(scaled), raw(scaled), bits);
     FlintInteger nearest;
-    if (!arb_get_unique_fmpz(nearest.number, raw(scaled))) return std::nullopt;
+    if (!arb_get_unique_fmpz(nearest.number, raw(scaled))) {
+      // An exact number half way between two decimals: a division by a power of ten cannot tell.
+      constexpr long kShort = 5000;
+      if (is_exact() && exponent.fits_slong_p() && std::abs(exponent.get_si()) < kShort)
+        return midpoint().significant(digits);
+      return std::nullopt;
+    }
     mpz_class whole = nearest.gmp();
     if (whole >= limit || whole * 10 < limit) {
       exponent += whole >= limit ? 1 : -1;

@@ -55,6 +55,9 @@ TEST_CASE("digits of a ball are those of the number inside, or none") {
     if (shown) RC_ASSERT(*shown == a.significant(digits));
     RC_ASSERT(Ball(a, 400).significant(digits).has_value() || a.is_zero() || !Ball(a, 400).is_exact());
   }));
+  // Exactly half way: decided, away from zero.
+  CHECK(Ball(Rational(-4611686018427387905), 400).significant(18) ==
+        Rational(-4611686018427387905).significant(18));
   CHECK(Ball(Rational(1, 3), 60).significant(5) == "0.33333");
   CHECK_FALSE(Ball(Rational(1, 3), 60).significant(50).has_value());
   CHECK(Ball(Rational(-2, 3), 300).significant(3) == "-0.667");
