@@ -142,6 +142,45 @@ TEST_CASE("symmetries are counted right, by trying all permutations of the nodes
   }
 }
 
+TEST_CASE("densities are products of the sizes of all subtrees") {
+  for (const Signature& s : signatures()) {
+    const TreeTable table(s, 6);
+    for (TreeId t = 0; t < table.size(); ++t) {
+      Numbered n;
+      number(table, t, -1, n);
+      // Parents have smaller numbers than their children.
+      std::vector<int> sizes(n.parent.size(), 1);
+      for (std::size_t i = n.parent.size(); --i > 0;)
+        sizes[static_cast<std::size_t>(n.parent[i])] += sizes[i];
+      Rational product(1);
+      for (const int size : sizes) product *= Rational(size);
+      CHECK(table.density(t) == product);
+    }
+  }
+}
+
+TEST_CASE("the exact flow by Picard's iteration is 1/gamma, one order a round") {
+  for (const Signature& s : signatures()) {
+    const TreeTable table(s, 6);
+    TreeSeries<Rational> y(table.size());
+    for (int round = 1; round <= table.order(); ++round) {
+      // The integral of h^(|t| - 1) times what f makes of y: one factor for each branch.
+      TreeSeries<Rational> next(table.size());
+      for (TreeId t = 0; t < table.size(); ++t) {
+        Rational slope(1);
+        for (TreeId c : table.children(t)) slope *= y[static_cast<std::size_t>(c)];
+        next[static_cast<std::size_t>(t)] = slope / Rational(table.order(t));
+      }
+      y = next;
+      const TreeSeries<Rational> exact = exact_flow<Rational>(table);
+      for (TreeId t = 0; t < table.end(round); ++t) CHECK(y[t] == exact[t]);
+      if (round < table.order()) CHECK(y != exact);
+    }
+    const TreeSeries<Rational> exact = exact_flow<Rational>(table);
+    for (TreeId t = 0; t < table.size(); ++t) CHECK(exact[t] * table.density(t) == Rational(1));
+  }
+}
+
 TEST_CASE("edges are cut as on paper") {
   for (const Signature& s : signatures()) {
     const TreeTable table(s, 6);

@@ -16,7 +16,7 @@ using testing::PlaneForce;
 
 namespace {
 
-constexpr int kOrder = 4;
+constexpr int kOrder = 5;
 
 struct Random {
   std::mt19937 generator{11};
