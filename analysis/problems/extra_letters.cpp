@@ -164,6 +164,19 @@ int ExtraLetters::sign(const Fraction& difference, Function f) {
                shown(difference, names_) + " > 0");
 }
 
+namespace {
+
+/// Whether it is a number, or a multiple of powers of the step, and positive.
+bool is_positive(const Fraction& f) {
+  if (!f.is_polynomial() || f.is_zero()) return false;
+  for (const Polynomial::Term& t : f.numerator().terms())
+    if (t.monomial.total_degree() != t.monomial.exponent(kStepLetter) || t.coefficient.sign() < 0)
+      return false;
+  return true;
+}
+
+}  // namespace
+
 Fraction ExtraLetters::function(Function f, const Fraction& a, const Fraction& b) {
   switch (f) {
     case Function::max:
@@ -180,12 +193,17 @@ Fraction ExtraLetters::function(Function f, const Fraction& a, const Fraction& b
       break;
     case Function::log:
       if (a.is_one()) return 0;
+      if (a.is_constant() && a.constant().sign() <= 0)
+        throw Undefined("log of " + a.constant().str() + " is no real number");
       break;
     case Function::pow: {
       std::int64_t exponent = 0;
       if (a.is_one() || b.is_zero()) return 1;
       if (b.is_constant() && b.constant().fits_int64(exponent) && exponent >= -1000 && exponent <= 1000)
         return a.pow(static_cast<int>(exponent));
+      if (a.is_zero() && is_positive(b)) return 0;  // what damps everything away in one second leaves nothing
+      if (a.is_constant() && a.constant().sign() <= 0)
+        throw Undefined("pow of " + a.constant().str() + " is no real number, or not known to be one");
       break;
     }
     default:

@@ -9,6 +9,21 @@
 namespace shortfall {
 namespace {
 
+TEST_CASE(
+    "an engine that keeps (1 - c)^t of a velocity with c of 1 and more: no logarithm, and no infinite "
+    "numbers") {
+  for (const char* arguments :
+       {"derive bullet --param c=1 --force drag", "derive bullet --param c=2 --force spring",
+        "derive bullet --param c=1 --force constant --steps 10", "spring bullet --param c=1 --k 4",
+        "jump bullet --param c=1 --height 1", "jump bullet --param c=2 --height 1"}) {
+    CAPTURE(arguments);
+    const Outcome o = run(arguments);
+    CHECK(o.code == 4);
+    CHECK(o.out.empty());
+    CHECK(contains(o.error, "is no real number"));
+  }
+}
+
 TEST_CASE("an oscillator: frequency, launch, energy") {
   const Outcome o = run("derive velocity-verlet --force spring --ascii");
   CHECK(o.code == 0);
