@@ -46,13 +46,10 @@ std::string percent(const Ball& value, const Ball& reference) {
 std::string stop(const DampingReport& r) {
   if (r.here.share.sign() == 1) return "";
   if (r.here.share.is_zero())
-    return "\nStops dead\n  One frame takes the whole velocity away: the damping number times the frame time "
-           "has "
-           "reached 1.\n";
+    return "\nStops dead\n  One frame takes the whole velocity away: what it leaves of v is 0.\n";
   const bool grows = (Ball(1, r.here.share.bits()) + r.here.share).sign() == -1;
   return std::string("\nTurns round\n  One frame reverses the velocity") +
-         (grows ? " and makes it larger: the motion explodes.\n"
-                : ": damping number times frame time is above 1.\n");
+         (grows ? " and makes it larger: the motion explodes.\n" : ": what it leaves of v is negative.\n");
 }
 
 Json number(const Ball& b) {

@@ -48,7 +48,14 @@ std::map<std::string, Ball> letter_values(const StepMap& map, const Values& para
 
 DampingAtRate at_rate(const Program& program, const Values& parameters, const Rational& h, const Rational& g,
                       int substeps) {
-  const StepMap map = step_map(lower(substepped(program, substeps), parameters), 0, {}, {}, Fraction(h));
+  const StepMap map = [&] {
+    try {
+      return step_map(lower(substepped(program, substeps), parameters), 0, {}, {}, Fraction(h));
+    } catch (const Undefined& e) {  // (1 - c)^h with c > 1
+      throw BadInput("'" + program.name +
+                     "' has no number for what these parameters leave of a velocity: " + e.what());
+    }
+  }();
   const NumberField field(map.generators);
   const VelocityMap m = velocity_map(map, program.name);
   const Wording w{map.letters, "n", false};

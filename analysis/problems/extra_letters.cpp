@@ -203,7 +203,8 @@ Fraction ExtraLetters::function(Function f, const Fraction& a, const Fraction& b
         return a.pow(static_cast<int>(exponent));
       if (a.is_zero() && is_positive(b)) return 0;  // what damps everything away in one second leaves nothing
       if (a.is_constant() && a.constant().sign() <= 0)
-        throw Undefined("pow of " + a.constant().str() + " is no real number, or not known to be one");
+        throw Undefined("pow of " + a.constant().str() +
+                        (a.is_zero() ? " is known only for a positive exponent" : " is no real number"));
       break;
     }
     default:
