@@ -16,8 +16,6 @@ using testing::PlaneForce;
 
 namespace {
 
-constexpr int kOrder = 5;
-
 struct Random {
   std::mt19937 generator{11};
   int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(generator); }
@@ -54,16 +52,16 @@ PlaneForce::Vector summed(const TreeTable& table, const TreeSeries<Rational>& se
   return total;
 }
 
-/// Whether trees and Taylor series agree, all coefficients up to h^kOrder.
-bool agrees(const Program& program, Random& random, bool spoil = false) {
+/// Whether trees and Taylor series agree, all coefficients up to h^order.
+bool agrees(const Program& program, Random& random, int order, bool spoil = false) {
   const SeriesSource source(program, {});
   REQUIRE(source.rational());
-  const TreeTable table(Signature::mechanical(true, true), kOrder);
+  const TreeTable table(Signature::mechanical(true, true), order);
   OneStep<Rational> step = source.step<Rational>(table);
   REQUIRE(!step.carries);
   if (spoil) step.map[table.begin(3)] += Rational(1, 5);
 
-  PlaneForce force(random_force(random), kOrder);
+  PlaneForce force(random_force(random), order);
   Run<PlaneForce> run(source.tape(), force, {Polynomial::letter(PlaneForce::kStep)});
   const PlaneForce::Vector x = PlaneForce::position(), v = PlaneForce::velocity();
   run.begin(x, v, {Polynomial::letter(PlaneForce::kTime)});
@@ -116,7 +114,7 @@ TEST_CASE(
     CAPTURE(program.name);
     const SeriesSource source(program, {});
     if (!source.rational() || source.tape().states.size() > 2 || !source.tape().start.empty()) continue;
-    CHECK(agrees(program, random));
+    CHECK(agrees(program, random, 5));
     ++compared;
   }
   CHECK(compared >= 20);
@@ -125,11 +123,11 @@ TEST_CASE(
         repeat % 3 == 0 ? random_splitting(random) : random_tableau(random, repeat % 3 == 1);
     CAPTURE(text);
     try {
-      CHECK(agrees(parse(text, "random.integrator"), random));
+      CHECK(agrees(parse(text, "random.integrator"), random, repeat < 12 ? 5 : 4));
       ++compared;
     } catch (const Undefined&) {  // a stage that is singular
     }
   }
   CHECK(compared >= 45);
-  CHECK_FALSE(agrees(find_integrator("rk4"), random, true));
+  CHECK_FALSE(agrees(find_integrator("rk4"), random, 4, true));
 }
