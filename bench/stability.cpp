@@ -3,22 +3,32 @@
 
 #include <benchmark/benchmark.h>
 
+#include "analysis/algebra/error.hpp"
 #include "analysis/program/catalogue.hpp"
 
 using namespace shortfall;
 
 namespace {
 
+/// Where the damping of an engine depends on the frame, for frames of 1/60 s.
+Stability report(const Program& p, int substeps = 1) {
+  try {
+    return stability(p, {}, substeps);
+  } catch (const Unable&) {
+    return stability(p, {}, substeps, Rational(1, 60));
+  }
+}
+
 /// Everything that `shortfall stability` says about an integrator, for all of the catalogue: less than 5 s.
 void whole_catalogue(benchmark::State& state) {
   for (auto _ : state)
-    for (const Program& p : catalogue()) benchmark::DoNotOptimize(stability(p));
+    for (const Program& p : catalogue()) benchmark::DoNotOptimize(report(p));
 }
 
 /// With frames of four substeps: formulas of a frame are longer.
 void four_substeps(benchmark::State& state) {
   for (auto _ : state)
-    for (const Program& p : catalogue()) benchmark::DoNotOptimize(stability(p, {}, 4));
+    for (const Program& p : catalogue()) benchmark::DoNotOptimize(report(p, 4));
 }
 
 /// One integrator: 0 velocity Verlet, 1 the classical method, 2 SDIRK4.
