@@ -10,9 +10,8 @@
 #include "analysis/motion/formula_text.hpp"
 #include "analysis/motion/numeric_flow.hpp"
 #include "analysis/motion/own_equation.hpp"
-#include "analysis/motion/step_map.hpp"
+#include "analysis/motion/step_matrix.hpp"
 #include "analysis/problems/letters.hpp"
-#include "analysis/program/transform.hpp"
 
 namespace shortfall {
 
@@ -35,38 +34,18 @@ std::vector<int> binary_digits(Rational n) {  // lowest first
   return digits;
 }
 
-/// z(n+1) = A z(n) with the powers 1, n, ..., n^D of the step count as further entries, and what is reported
-/// of it. Entries are rational, or contain roots, exp and pow as letters.
+/// The powers of the step's matrix, exactly or in balls.
 class NumericStep {
  public:
-  NumericStep(const Program& program, const NumericQuestion& q) {
-    const Tape tape = lower(substepped(program, q.substeps), parameter_values(program, q.parameters));
-    const Force f = without_own_equation(q.force);
-    map_ = step_map(tape, f.degree, f.stiffness(), f.damping(), Fraction(q.h));
-    const NumberField field(map_.generators);
-    states_ = map_.force.states;
-    powers_ = f.degree + 1;
-    const int size = states_ + std::max(powers_, 0);
-    a_.assign(size, std::vector<Fraction>(size));
-    for (int i = 0; i < states_; ++i) {
-      fill(a_[i], map_.step[i], q);
-      start_.push_back(at_start(map_.start[i], q));
-    }
-    for (int j = 0; j < powers_; ++j) {
-      for (int i = 0; i <= j; ++i) a_[states_ + j][states_ + i] = binomial(j, i);
-      start_.push_back(j == 0 ? 1 : 0);
-    }
-    for (const LinearForm* row : {&map_.position, &map_.velocity}) {
-      report_.emplace_back(size);
-      fill(report_.back(), *row, q);
-    }
-    for (const Rows<Fraction>& rows : {a_, report_, {start_}})
-      for (const auto& row : rows)
-        for (const Fraction& f : row) rational_ = rational_ && f.is_constant();
-  }
+  NumericStep(const Program& program, const NumericQuestion& q)
+      : matrix_(step_matrix(program, q)),
+        rational_(matrix_.rational()),
+        a_(matrix_.step),
+        start_(matrix_.start),
+        report_{matrix_.position, matrix_.velocity} {}
 
   int size() const { return static_cast<int>(a_.size()); }
-  const std::vector<std::string>& assumed() const { return map_.assumed; }
+  const std::vector<std::string>& assumed() const { return matrix_.map.assumed; }
 
   /// Exactly; empty when that gets long, or entries are irrational.
   std::optional<std::vector<Rational>> exact(const std::vector<int>& digits) const {
@@ -84,7 +63,7 @@ class NumericStep {
   }
 
   std::vector<Ball> balls(const std::vector<int>& digits, int bits) const {
-    const std::vector<Ball> letters = letter_balls(map_.extras, bits);
+    const std::vector<Ball> letters = letter_balls(matrix_.map.extras, bits);
     Rows<Ball> power;
     for (const auto& row : a_) power.push_back(converted(row, letters, bits));
     std::vector<Ball> z = converted(start_, letters, bits);
@@ -113,31 +92,6 @@ class NumericStep {
   }
 
  private:
-  static Fraction checked(const Fraction& f) {
-    if (f.contains(kCount) || f.contains(kTimeLetter))
-      throw Unable("the coefficients of the step depend on t, so its n-step map is no power of a matrix");
-    return f;
-  }
-
-  /// Coefficients of the carried vectors, then of the powers of n.
-  void fill(std::vector<Fraction>& row, const LinearForm& form, const NumericQuestion& q) const {
-    for (int j = 0; j < states_; ++j) row[j] = checked(form[j]);
-    for (int d = 0; d < powers_; ++d) {
-      const Fraction& f = form[map_.force.force_column(d)];
-      if (f.is_zero()) continue;
-      const Fraction weight = Fraction(q.force.push.at(d)) / checked(Fraction(f.denominator()));
-      for (int j = 0; j <= f.numerator().degree(kCount); ++j)
-        row[states_ + j] += weight * checked(Fraction(f.numerator().coefficient(kCount, j)));
-    }
-  }
-
-  Fraction at_start(const LinearForm& form, const NumericQuestion& q) const {
-    Fraction total = checked(form[0]) * Fraction(q.x0) + checked(form[1]) * Fraction(q.v0);
-    for (int d = 0; d < powers_; ++d)
-      if (!form[states_ + d].is_zero()) total += checked(form[states_ + d]) * Fraction(q.force.push.at(d));
-    return total;
-  }
-
   static std::vector<Rational> rationals(const std::vector<Fraction>& row) {
     std::vector<Rational> result;
     for (const Fraction& f : row) result.push_back(f.constant());
@@ -187,10 +141,8 @@ class NumericStep {
     return result;
   }
 
-  int states_ = 0;
-  int powers_ = 0;
-  bool rational_ = true;
-  StepMap map_;
+  StepMatrix matrix_;
+  bool rational_;
   Rows<Fraction> a_;
   std::vector<Fraction> start_;
   Rows<Fraction> report_;

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/floating/exact_state.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/algebra/gmp.hpp"
+#include "analysis/floating/exact_jump.hpp"
+
+namespace shortfall {
+
+namespace {
+
+constexpr int kMostAtOnce = 64;  // steps by one power of the matrix
+
+std::int64_t size_in_bits(const mpz_class& z) {
+  return static_cast<std::int64_t>(mpz_sizeinbase(z.get_mpz_t(), 2));
+}
+
+bool fit_words(const std::vector<std::vector<mpz_class>>& matrix) {
+  return std::ranges::all_of(matrix, [](const auto& row) {
+    return std::ranges::all_of(row, [](const mpz_class& m) { return mpz_fits_slong_p(m.get_mpz_t()) != 0; });
+  });
+}
+
+Int128 wide(const mpz_class& value) {
+  const mpz_class size = abs(value), high = size >> 64, low = size - (high << 64);
+  const Int128 w = static_cast<Int128>(static_cast<UInt128>(high.get_ui()) << 64 | low.get_ui());
+  return value < 0 ? -w : w;
+}
+
+}  // namespace
+
+ExactState::ExactState(const ExactStep& step) : step_(step), z_(step.start), next_(step.size()) {
+  enter_words();
+}
+
+void ExactState::enter_words() {
+  seen_ = frame_;
+  if (!fit_words(step_.matrix)) return;
+  if (std::ranges::any_of(z_, [](const mpz_class& z) { return size_in_bits(z) > 126; })) return;
+  std::vector<std::int64_t> matrix;
+  for (const auto& row : step_.matrix)
+    for (const mpz_class& m : row) matrix.push_back(m.get_si());
+  std::vector<Int128> state;
+  for (const mpz_class& z : z_) state.push_back(wide(z));
+  words_.emplace(std::move(matrix), std::move(state));
+}
+
+void ExactState::leave_words() {
+  values();
+  words_.reset();
+}
+
+void ExactState::advance(std::int64_t steps) {
+  if (steps < 0) throw BadInput("an exact trajectory goes forwards only");
+  if (words_) {
+    const std::int64_t done = words_->advance(steps);
+    frame_ += done;
+    if (done == steps) return;
+    steps -= done;
+    leave_words();
+  }
+  if (powers_.empty()) {
+    auto power = step_.matrix;
+    powers_.emplace_back(power);
+    while (static_cast<int>(powers_.size()) < kMostAtOnce) {
+      power = product(step_.matrix, power);
+      if (!fit_words(power)) break;
+      powers_.emplace_back(power);
+    }
+  }
+  const auto most = static_cast<std::int64_t>(powers_.size());
+  while (steps > 0) {
+    const std::int64_t now = std::min(steps, most - pending_);
+    pending_ += now;
+    frame_ += now;
+    steps -= now;
+    if (pending_ == most) apply(std::exchange(pending_, 0));
+  }
+}
+
+void ExactState::apply(std::int64_t steps) {
+  powers_[steps - 1].apply(z_, next_);
+  z_.swap(next_);
+  check_size();
+}
+
+void ExactState::check_size() const {
+  for (const mpz_class& z : z_)
+    if (size_in_bits(z) > kLongestExactNumber)
+      throw Unable("the exact trajectory at frame " + std::to_string(frame_) + " has numbers of more than " +
+                   std::to_string(kLongestExactNumber) +
+                   " binary digits; numbers after n steps with certain digits need no such memory");
+}
+
+const std::vector<mpz_class>& ExactState::values() {
+  if (words_) {
+    if (seen_ != frame_)
+      for (std::size_t i = 0; i < z_.size(); ++i) z_[i] = gmp_integer(words_->state()[i]);
+    seen_ = frame_;
+  } else if (pending_ > 0) {
+    apply(std::exchange(pending_, 0));
+  }
+  return z_;
+}
+
+std::size_t ExactState::bits() {
+  std::int64_t most = 0;
+  for (const mpz_class& z : values()) most = std::max(most, size_in_bits(z));
+  return static_cast<std::size_t>(most);
+}
+
+void ExactState::jump(std::int64_t steps) {
+  if (steps < 0) throw BadInput("an exact trajectory goes forwards only");
+  z_ = jumped(step_, values(), steps);
+  frame_ += steps;
+  words_.reset();
+  enter_words();
+  check_size();
+}
+
+}  // namespace shortfall

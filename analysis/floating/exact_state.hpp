@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+// Of the library's own files only exact_*.cpp include this: GMP stays behind them.
+
+#include <gmpxx.h>
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "analysis/floating/exact_plan.hpp"
+#include "analysis/floating/exact_step.hpp"
+#include "analysis/floating/exact_words.hpp"
+
+namespace shortfall {
+
+/// The scaled state of an ExactStep on its way: in words of 128 bits while it fits, in GMP integers
+/// afterwards.
+///
+/// Steps of long integers are not made before somebody looks: several at once, by a power of M whose entries
+/// still fit into words, cost hardly more than one.
+class ExactState {
+ public:
+  explicit ExactState(const ExactStep& step);
+
+  std::int64_t frame() const { return frame_; }
+  void advance(std::int64_t steps);
+  /// The same by z^steps modulo the polynomial that annihilates the state (Fiduccia): about as many
+  /// multiplications as `steps` has binary digits.
+  ///
+  /// source  Fiduccia (1985), An efficient formula for linear recurrences, SIAM Journal on Computing 14
+  void jump(std::int64_t steps);
+
+  bool in_words() const { return words_.has_value(); }
+  /// The scaled state at this frame.
+  const std::vector<mpz_class>& values();
+  /// Binary digits of the longest entry.
+  std::size_t bits();
+
+ private:
+  void apply(std::int64_t steps);
+  void check_size() const;
+  void enter_words();
+  void leave_words();
+
+  const ExactStep& step_;
+  std::int64_t frame_ = 0;
+  std::optional<ExactWords> words_;
+  std::vector<ExactPlan> powers_;  ///< of M^1, M^2, ... as far as entries fit into a word
+  std::int64_t pending_ = 0;       ///< steps that are counted but not made; less than powers_.size()
+  std::int64_t seen_ = -1;         ///< the frame for which z_ is a copy of the words
+  std::vector<mpz_class> z_, next_;
+};
+
+/// No number of a trajectory may be longer, in binary digits (256 MB).
+inline constexpr std::int64_t kLongestExactNumber = std::int64_t{1} << 31;
+
+}  // namespace shortfall

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/floating/exact_step.hpp"
+
+#include <algorithm>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/algebra/gmp.hpp"
+
+namespace shortfall {
+
+namespace {
+
+using Rows = std::vector<std::vector<mpq_class>>;
+
+std::vector<mpq_class> rationals(const std::vector<Fraction>& row, const std::vector<int>& kept) {
+  std::vector<mpq_class> result;
+  for (const int j : kept) result.push_back(gmp(row[j].constant()));
+  return result;
+}
+
+/// The entries of the state that what is reported depends on, now or later.
+std::vector<int> read_entries(const StepMatrix& m) {
+  std::vector<bool> read(m.step.size());
+  std::vector<int> waiting;
+  const auto mark = [&](const std::vector<Fraction>& row) {
+    for (std::size_t j = 0; j < row.size(); ++j)
+      if (!row[j].is_zero() && !read[j]) {
+        read[j] = true;
+        waiting.push_back(static_cast<int>(j));
+      }
+  };
+  mark(m.position);
+  mark(m.velocity);
+  while (!waiting.empty()) {
+    const int i = waiting.back();
+    waiting.pop_back();
+    mark(m.step[i]);
+  }
+  std::vector<int> kept;
+  for (std::size_t j = 0; j < read.size(); ++j)
+    if (read[j]) kept.push_back(static_cast<int>(j));
+  return kept;
+}
+
+/// The integer without its factors `factor`, and how many there were.
+int remove(mpz_class& value, const mpz_class& factor) {
+  return static_cast<int>(mpz_remove(value.get_mpz_t(), value.get_mpz_t(), factor.get_mpz_t()));
+}
+
+/// Adds an integer to a set of pairwise coprime ones so that all remain products of their powers.
+void refine(std::vector<mpz_class>& base, mpz_class value) {
+  std::vector<mpz_class> waiting{std::move(value)};
+  while (!waiting.empty()) {
+    mpz_class a = std::move(waiting.back());
+    waiting.pop_back();
+    if (a == 1) continue;
+    const auto shared = std::ranges::find_if(base, [&](const mpz_class& b) { return gcd(a, b) != 1; });
+    if (shared == base.end()) {
+      base.push_back(std::move(a));
+      continue;
+    }
+    const mpz_class b = *shared, g = gcd(a, b);
+    if (a == b) continue;
+    base.erase(shared);
+    waiting.insert(waiting.end(), {a / g, b / g, g});
+  }
+}
+
+/// Pairwise coprime integers of which every denominator is a product; small primes are found, others need not
+/// be.
+std::vector<mpz_class> coprime_base(const Rows& rows) {
+  std::vector<mpz_class> base;
+  for (const auto& row : rows)
+    for (const mpq_class& entry : row) {
+      mpz_class rest = entry.get_den();
+      for (const int prime : {2, 3, 5, 7, 11, 13})
+        if (remove(rest, prime) > 0) refine(base, prime);
+      refine(base, rest);
+    }
+  return base;
+}
+
+/// How often an entry contains a factor, negative in the denominator; a lower bound where the factor is not
+/// prime.
+int valuation(const mpq_class& entry, const mpz_class& factor) {
+  mpz_class part = entry.get_den();
+  if (const int below = remove(part, factor); below > 0) return -below;
+  part = entry.get_num();
+  return remove(part, factor);
+}
+
+mpq_class power(const mpz_class& base, int exponent) {
+  mpz_class p;
+  mpz_pow_ui(p.get_mpz_t(), base.get_mpz_t(), static_cast<unsigned long>(std::abs(exponent)));
+  return exponent < 0 ? mpq_class(1, p) : mpq_class(p);
+}
+
+/// The least exponent e >= 0, and potentials u, with valuation + u_i - u_j + e >= 0 for all entries.
+struct Scaling {
+  int exponent = 0;
+  std::vector<int> potentials;
+};
+Scaling scaling(const Rows& rows, const mpz_class& factor) {
+  const std::size_t size = rows.size();
+  std::vector<std::vector<int>> valuations(size, std::vector<int>(size));
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j)
+      if (rows[i][j] != 0) valuations[i][j] = valuation(rows[i][j], factor);
+  for (int exponent = 0;; ++exponent) {
+    // Shortest paths: a round after the last possible one changes something only on a negative cycle.
+    std::vector<int> u(size);
+    bool changed = true;
+    for (std::size_t round = 0; changed && round <= size; ++round) {
+      changed = false;
+      for (std::size_t i = 0; i < size; ++i)
+        for (std::size_t j = 0; j < size; ++j)
+          if (rows[i][j] != 0 && u[i] + valuations[i][j] + exponent < u[j]) {
+            u[j] = u[i] + valuations[i][j] + exponent;
+            changed = true;
+          }
+    }
+    if (!changed) return {exponent, std::move(u)};
+  }
+}
+
+mpz_class common_denominator(const std::vector<mpq_class>& values) {
+  mpz_class common = 1;
+  for (const mpq_class& v : values) common = lcm(common, v.get_den());
+  return common;
+}
+
+ExactStep::Report report(const std::vector<mpq_class>& row, const std::vector<mpq_class>& scale) {
+  std::vector<mpq_class> weights;
+  for (std::size_t j = 0; j < row.size(); ++j) weights.push_back(row[j] / scale[j]);
+  ExactStep::Report r;
+  r.denominator = common_denominator(weights);
+  mpz_class content;
+  for (const mpq_class& w : weights) {
+    r.row.emplace_back(w.get_num() * (r.denominator / w.get_den()));
+    content = gcd(content, r.row.back());
+  }
+  int reads = 0;
+  for (std::size_t j = 0; j < row.size(); ++j)
+    if (r.row[j] != 0) {
+      ++reads;
+      r.unit = static_cast<int>(j);
+    }
+  if (reads != 1 || r.row[r.unit] != 1) r.unit = -1;
+  return r;
+}
+
+}  // namespace
+
+ExactStep exact_step(const StepMatrix& m) {
+  const std::vector<int> kept = read_entries(m);
+  Rows a;
+  for (const int i : kept) a.push_back(rationals(m.step[i], kept));
+  const std::size_t size = a.size();
+
+  ExactStep step;
+  std::vector<mpq_class> scale(size, 1);
+  for (const mpz_class& factor : coprime_base(a)) {
+    const Scaling s = scaling(a, factor);
+    step.base *= power(factor, s.exponent).get_num();
+    for (std::size_t i = 0; i < size; ++i) scale[i] *= power(factor, s.potentials[i]);
+  }
+  step.matrix.assign(size, std::vector<mpz_class>(size));
+  for (std::size_t i = 0; i < size; ++i)
+    for (std::size_t j = 0; j < size; ++j) {
+      const mpq_class entry = step.base * scale[i] * a[i][j] / scale[j];
+      if (entry.get_den() != 1) throw Error("the scaled step is not whole");
+      step.matrix[i][j] = entry.get_num();
+    }
+
+  std::vector<mpq_class> start = rationals(m.start, kept);
+  for (std::size_t i = 0; i < size; ++i) start[i] *= scale[i];
+  step.start_denominator = common_denominator(start);
+  for (const mpq_class& s : start)
+    step.start.emplace_back(s.get_num() * (step.start_denominator / s.get_den()));
+  step.position = report(rationals(m.position, kept), scale);
+  step.velocity = report(rationals(m.velocity, kept), scale);
+  return step;
+}
+
+std::vector<mpz_class> product(const std::vector<std::vector<mpz_class>>& matrix,
+                               const std::vector<mpz_class>& vector) {
+  std::vector<mpz_class> result(matrix.size());
+  for (std::size_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t j = 0; j < vector.size(); ++j)
+      if (matrix[i][j] != 0) result[i] += matrix[i][j] * vector[j];
+  return result;
+}
+
+std::vector<std::vector<mpz_class>> product(const std::vector<std::vector<mpz_class>>& a,
+                                            const std::vector<std::vector<mpz_class>>& b) {
+  std::vector<std::vector<mpz_class>> result(a.size(), std::vector<mpz_class>(a.size()));
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t k = 0; k < a.size(); ++k)
+      if (a[i][k] != 0)
+        for (std::size_t j = 0; j < a.size(); ++j) result[i][j] += a[i][k] * b[k][j];
+  return result;
+}
+
+}  // namespace shortfall
