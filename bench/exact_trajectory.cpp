@@ -147,7 +147,8 @@ void per_step(const char* what, double seconds, double steps) {
 
 int main() {
   check();
-  std::printf("Exact trajectories: spring k = 1, symplectic Euler, n = %d. Ratios to the first line.\n", kSteps);
+  std::printf("Exact trajectories: spring k = 1, symplectic Euler, n = %d. Ratios to the first line.\n",
+              kSteps);
   for (const int s : {50, 64})
     table("h = 1/" + std::to_string(s) + (s == 64 ? " (dyadic)" : ""),
           {here("GMP integers by hand, every frame",
@@ -188,12 +189,13 @@ int main() {
       here("FLINT fmpq", [] { bench::keep(in_flint(kSteps)); }),
       here("Boost mpq_rational", [] { bench::keep(in_rationals<BoostRational>(kSteps)); })};
   bench::Peer python("Python", {"/usr/bin/python3", std::string(SHORTFALL_PEERS) + "/trajectory.py"}, "", "");
-  if (python.runs()) rationals.push_back({python.name(), [&](long times) { return python.seconds(kSteps, times); }});
-  table("Rational numbers, h = 1/50, n = 1000", rationals, 3, 0);
+  if (python.runs())
+    rationals.push_back({python.name(), [&](long times) { return python.seconds(kSteps, times); }});
+  table("Rational numbers, h = 1/50, n = 1000", rationals, 3, 0.02);
   table("Rational numbers, once",
         {here("ExactTrajectory, x and v of every frame as integers", [] { trajectory(50, true); }),
          here("Boost cpp_rational", [] { bench::keep(in_rationals<BoostOwnRational>(kSteps)); })},
-        1, 0);
+        1, 0.02);
 
   std::printf("\nOne step\n");
   NumericQuestion gravity = spring(50);
@@ -201,10 +203,10 @@ int main() {
   constexpr int kMany = 1'000'000;
   ExactTrajectory fall(symplectic_euler(), gravity);
   ExactFingerprint oscillation(symplectic_euler(), spring(50)), falling(symplectic_euler(), gravity);
-  const auto times = bench::least_times({here("", [&] { fall.advance(kMany); }),
-                                         here("", [&] { oscillation.advance(kMany); }),
-                                         here("", [&] { falling.advance(kMany); })},
-                                        24, 0);
+  const auto times = bench::least_times(
+      {here("", [&] { fall.advance(kMany); }), here("", [&] { oscillation.advance(kMany); }),
+       here("", [&] { falling.advance(kMany); })},
+      24, 0);
   per_step("gravity, exact, in words", times[0], kMany);
   per_step("spring, modulo 2^61 - 1", times[1], kMany);
   per_step("gravity, modulo 2^61 - 1", times[2], kMany);

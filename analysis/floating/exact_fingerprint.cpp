@@ -32,17 +32,28 @@ Modular dot(const Modular* row, const Modular* vector, std::size_t size) {
   return total;
 }
 
+/// Two folds instead of a full reduction: residues stay below 2^61 + 8, and four products of such below
+/// 2^125.
 template <std::size_t kSize>
 void run(std::vector<Modular>& state, const std::vector<Modular>& matrix, std::int64_t steps) {
-  std::array<Modular, kSize * kSize> m;
-  std::array<Modular, kSize> z, next;
-  std::copy(matrix.begin(), matrix.end(), m.begin());
-  std::copy(state.begin(), state.end(), z.begin());
+  static_assert(kSize <= 4);
+  std::array<std::uint64_t, kSize * kSize> m;
+  std::array<std::uint64_t, kSize> z, next;
+  for (std::size_t i = 0; i < m.size(); ++i) m[i] = matrix[i].value();
+  for (std::size_t i = 0; i < kSize; ++i) z[i] = state[i].value();
   for (std::int64_t n = 0; n < steps; ++n) {
-    for (std::size_t i = 0; i < kSize; ++i) next[i] = dot(&m[i * kSize], z.data(), kSize);
+#pragma GCC unroll 4
+    for (std::size_t i = 0; i < kSize; ++i) {
+      UInt128 sum = 0;
+#pragma GCC unroll 4
+      for (std::size_t j = 0; j < kSize; ++j) sum += static_cast<UInt128>(m[i * kSize + j]) * z[j];
+      const std::uint64_t once =
+          (static_cast<std::uint64_t>(sum) & Modular::kPrime) + static_cast<std::uint64_t>(sum >> 61);
+      next[i] = (once & Modular::kPrime) + (once >> 61);
+    }
     z = next;
   }
-  std::copy(z.begin(), z.end(), state.begin());
+  for (std::size_t i = 0; i < kSize; ++i) state[i] = Modular(z[i]);
 }
 
 void run(std::vector<Modular>& state, const std::vector<Modular>& matrix, std::int64_t steps) {

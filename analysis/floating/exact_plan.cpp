@@ -2,24 +2,27 @@
 #include "analysis/floating/exact_plan.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <numeric>
 #include <utility>
+
+#include "analysis/algebra/wide.hpp"
 
 namespace shortfall {
 
 namespace {
 
 using Term = ExactPlan::Term;
+using Row = ExactPlan::Row;
 using Kind = Term::Kind;
 
-constexpr std::size_t kAllOrders = 4;  // rows of which every order is tried
+constexpr int kAllOrders = 4;  // rows of which every order is tried
 
 Term term(int source, bool fresh, const mpz_class& coefficient) {
   Term t;
   t.source = source;
   t.fresh = fresh;
-  t.coefficient = coefficient;
   t.magnitude = abs(coefficient);
   t.negative = coefficient < 0;
   if (t.magnitude == 1) {
@@ -36,129 +39,262 @@ Term term(int source, bool fresh, const mpz_class& coefficient) {
   return t;
 }
 
-/// Measured passes, relative to mpz_mul_ui.
-double cost(const Term& t, bool first) {
-  switch (t.kind) {
-    case Kind::unit:
-      return first ? 0.3 : 0.6;
-    case Kind::shift:
-      return first ? 0.6 : mpz_fits_ulong_p(t.magnitude.get_mpz_t()) ? 1.1 : 2;
-    case Kind::word:
-      return first ? 1 : 1.1;
-    case Kind::integer:
-      return 1.3 * static_cast<double>(mpz_size(t.magnitude.get_mpz_t()));
-  }
-  return 0;
+/// What a coefficient costs, in passes of mpz_mul_ui as measured: where a row begins, and added to it.
+struct Cost {
+  double first = 0;
+  double later = 0;
+};
+constexpr Cost kUnit{0.3, 0.6}, kShift{0.6, 1.1}, kWord{1, 1.1};
+
+Cost price(const Term& t) {
+  if (t.kind == Kind::unit) return kUnit;
+  if (t.kind == Kind::word) return kWord;
+  const double words = 1.3 * static_cast<double>(mpz_size(t.magnitude.get_mpz_t()));
+  return t.kind == Kind::integer ? Cost{words, words} : Cost{kShift.first, std::max(kShift.later, words)};
 }
 
-/// What is dear in the first place goes there: the others are added to it.
-double arrange(std::vector<Term>& terms) {
+Cost price(Int128 coefficient) {
+  const UInt128 size = magnitude(coefficient);
+  return size == 1 ? kUnit : (size & (size - 1)) == 0 ? kShift : kWord;
+}
+
+/// A row whose coefficients have these costs: what gains most by it begins. Two units are one addition.
+class RowCost {
+ public:
+  void add(Cost c) {
+    sum_ += c.later;
+    if (c.first == kUnit.first) ++units_;
+    ++terms_;
+    gain_ = std::max(gain_, c.later - c.first);
+  }
+  double total() const { return sum_ - gain_ - (terms_ > 1 && units_ == terms_ ? kUnit.first : 0); }
+
+ private:
+  double sum_ = 0, gain_ = 0;
+  int units_ = 0, terms_ = 0;
+};
+
+/// Row i minus `sign` times row `minus` (none for -1) is what is left to do for it.
+struct Choice {
+  int row = 0;
+  int minus = -1;
+  int sign = 0;
+};
+
+/// The cheapest order of rows, and for each whether it uses one that has been made.
+std::vector<Choice> choices(const std::vector<std::int64_t>& m, int size, double& least) {
+  std::vector<int> order(size);
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<Choice> best;
+  do {
+    std::vector<Choice> chosen;
+    double total = 0;
+    for (int k = 0; k < size; ++k) {
+      const int i = order[k];
+      const auto row_cost = [&](int minus, int sign) {
+        RowCost c;
+        for (int j = 0; j < size; ++j) {
+          const Int128 rest = m[i * size + j] - (minus < 0 ? Int128{0} : Int128{sign} * m[minus * size + j]);
+          // A difference of two words may be no word; it is never the cheaper one.
+          if (!fits_64(rest))
+            c.add({2.6, 2.6});
+          else if (rest != 0)
+            c.add(price(rest));
+        }
+        if (minus >= 0) c.add(kUnit);
+        return c.total();
+      };
+      Choice choice{i};
+      double cheapest = row_cost(-1, 0);
+      for (int e = 0; e < k; ++e)
+        for (const int sign : {1, -1})
+          if (const double c = row_cost(order[e], sign); c < cheapest) {
+            cheapest = c;
+            choice = {i, order[e], sign};
+          }
+      total += cheapest;
+      chosen.push_back(choice);
+    }
+    if (total < least) {
+      least = total;
+      best = std::move(chosen);
+    }
+  } while (size <= kAllOrders && std::ranges::next_permutation(order).found);
+  return best;
+}
+
+/// The same for any matrix; only words are worth a search.
+std::vector<Choice> choices(const std::vector<std::vector<mpz_class>>& matrix, double& least) {
+  std::vector<std::int64_t> words;
+  for (const auto& row : matrix)
+    for (const mpz_class& m : row)
+      if (mpz_fits_slong_p(m.get_mpz_t())) words.push_back(m.get_si());
+  const int size = static_cast<int>(matrix.size());
+  least = std::numeric_limits<double>::infinity();
+  if (words.size() == matrix.size() * matrix.size()) return choices(words, size, least);
+  std::vector<Choice> in_order;
+  least = 0;
+  for (int i = 0; i < size; ++i) {
+    in_order.push_back({i});
+    for (const mpz_class& m : matrix[i])
+      if (m != 0) least += price(term(0, false, m)).later;
+  }
+  return in_order;
+}
+
+/// What is dear in the first place goes there, positive if it can be: the others are added to it.
+void arrange(std::vector<Term>& terms) {
   std::ranges::stable_sort(terms, [](const Term& a, const Term& b) {
-    const auto gain = [](const Term& t) { return cost(t, false) - cost(t, true); };
+    const auto gain = [](const Term& t) { return price(t).later - price(t).first; };
     if (gain(a) != gain(b)) return gain(a) > gain(b);
     return !a.negative && b.negative;
   });
-  double total = 0;
-  for (std::size_t i = 0; i < terms.size(); ++i) total += cost(terms[i], i == 0);
-  // Two units are one addition.
-  if (terms.size() > 1 && terms[0].kind == Kind::unit && terms[1].kind == Kind::unit) total -= 0.3;
-  return total;
 }
 
-std::vector<Term> terms_of(const std::vector<mpz_class>& row) {
-  std::vector<Term> terms;
-  for (std::size_t j = 0; j < row.size(); ++j)
-    if (row[j] != 0) terms.push_back(term(static_cast<int>(j), false, row[j]));
-  return terms;
-}
-
-void begin(mpz_ptr r, const Term& t, mpz_srcptr source) {
-  switch (t.kind) {
-    case Kind::unit:
-      mpz_set(r, source);
-      break;
-    case Kind::shift:
-      mpz_mul_2exp(r, source, t.word);
-      break;
-    case Kind::word:
-      mpz_mul_ui(r, source, t.word);
-      break;
-    case Kind::integer:
-      mpz_mul(r, source, t.magnitude.get_mpz_t());
-      break;
+/// Then a row can be put where its entry was.
+bool each_old_entry_is_used_before_it_changes(const std::vector<Row>& rows) {
+  std::vector<bool> changed(rows.size());
+  for (const Row& row : rows) {
+    for (const Term& t : row.terms)
+      if (!t.fresh && changed[t.source]) return false;
+    changed[row.target] = true;
   }
-  if (t.negative) mpz_neg(r, r);
-}
-
-void accumulate(mpz_ptr r, const Term& t, mpz_srcptr source) {
-  if (t.kind == Kind::unit) {
-    t.negative ? mpz_sub(r, r, source) : mpz_add(r, r, source);
-  } else if (mpz_fits_ulong_p(t.magnitude.get_mpz_t())) {
-    const unsigned long word = mpz_get_ui(t.magnitude.get_mpz_t());
-    t.negative ? mpz_submul_ui(r, source, word) : mpz_addmul_ui(r, source, word);
-  } else {
-    t.negative ? mpz_submul(r, source, t.magnitude.get_mpz_t())
-               : mpz_addmul(r, source, t.magnitude.get_mpz_t());
-  }
+  return true;
 }
 
 }  // namespace
 
-ExactPlan::ExactPlan(const std::vector<std::vector<mpz_class>>& matrix) {
-  std::vector<int> order(matrix.size());
-  std::iota(order.begin(), order.end(), 0);
-  cost_ = std::numeric_limits<double>::infinity();
-  do {
-    std::vector<Row> rows;
-    double total = 0;
-    for (std::size_t k = 0; k < order.size(); ++k) {
-      const std::vector<mpz_class>& row = matrix[order[k]];
-      Row best{order[k], terms_of(row)};
-      double least = arrange(best.terms);
-      for (std::size_t e = 0; e < k; ++e)
-        for (const int sign : {1, -1}) {
-          std::vector<mpz_class> rest = row;
-          for (std::size_t j = 0; j < rest.size(); ++j) rest[j] -= sign * matrix[order[e]][j];
-          std::vector<Term> terms = terms_of(rest);
-          terms.push_back(term(order[e], true, sign));
-          if (const double c = arrange(terms); c < least) {
-            least = c;
-            best.terms = std::move(terms);
-          }
-        }
-      total += least;
-      rows.push_back(std::move(best));
+ExactPlan::ExactPlan(const std::vector<std::vector<mpz_class>>& matrix)
+    : size_(static_cast<int>(matrix.size())) {
+  double cost = 0;
+  std::vector<Row> rows;
+  for (const Choice& c : choices(matrix, cost)) {
+    Row row{c.row, {}};
+    for (int j = 0; j < size_; ++j) {
+      mpz_class rest = matrix[c.row][j];
+      if (c.minus >= 0) rest -= c.sign * matrix[c.minus][j];
+      if (rest != 0) row.terms.push_back(term(j, false, rest));
     }
-    if (total < cost_) {
-      cost_ = total;
-      rows_ = std::move(rows);
+    if (c.minus >= 0) row.terms.push_back(term(c.minus, true, c.sign));
+    arrange(row.terms);
+    rows.push_back(std::move(row));
+  }
+  in_place_ = each_old_entry_is_used_before_it_changes(rows);
+  for (Row& row : rows) {
+    if (in_place_) {
+      const auto own =
+          std::ranges::find_if(row.terms, [&](const Term& t) { return !t.fresh && t.source == row.target; });
+      if (own != row.terms.end()) std::rotate(row.terms.begin(), own, own + 1);
     }
-  } while (order.size() <= kAllOrders && std::ranges::next_permutation(order).found);
+    translate(row);
+  }
 }
 
-void ExactPlan::apply(const std::vector<mpz_class>& z, std::vector<mpz_class>& next) const {
-  for (const Row& row : rows_) {
-    const mpz_ptr r = next[row.target].get_mpz_t();
-    const auto source = [&](const Term& t) { return (t.fresh ? next : z)[t.source].get_mpz_t(); };
-    const auto& terms = row.terms;
-    if (terms.empty()) {
-      mpz_set_ui(r, 0);
-      continue;
-    }
-    std::size_t done = 1;
-    if (terms.size() > 1 && terms[0].kind == Kind::unit && terms[1].kind == Kind::unit) {
-      // The first is positive unless both are negative.
-      if (terms[0].negative == terms[1].negative)
-        mpz_add(r, source(terms[0]), source(terms[1]));
-      else
-        mpz_sub(r, source(terms[0]), source(terms[1]));
-      if (terms[0].negative) mpz_neg(r, r);
-      done = 2;
-    } else {
-      begin(r, terms[0], source(terms[0]));
-    }
-    for (; done < terms.size(); ++done) accumulate(r, terms[done], source(terms[done]));
+void ExactPlan::translate(const Row& row) {
+  const int next = in_place_ ? 0 : size_;  // where new entries are
+  const int out = next + row.target;
+  const auto source = [&](const Term& t) { return t.source + (t.fresh ? next : 0); };
+  const auto& terms = row.terms;
+  if (terms.empty()) {
+    operations_.push_back({Operation::Kind::zero, out});
+    return;
   }
+  std::size_t done = 1;
+  const Term& first = terms[0];
+  if (terms.size() > 1 && first.kind == Kind::unit && terms[1].kind == Kind::unit) {
+    const int a = source(first), b = source(terms[1]);
+    if (first.negative == terms[1].negative)
+      operations_.push_back({Operation::Kind::add, out, a, b});
+    else
+      operations_.push_back(first.negative ? Operation{Operation::Kind::subtract, out, b, a}
+                                           : Operation{Operation::Kind::subtract, out, a, b});
+    if (first.negative && terms[1].negative) operations_.push_back({Operation::Kind::negate, out, out});
+    done = 2;
+  } else {
+    switch (first.kind) {
+      case Kind::unit:
+        if (source(first) != out) operations_.push_back({Operation::Kind::copy, out, source(first)});
+        break;
+      case Kind::shift:
+        operations_.push_back({Operation::Kind::shift, out, source(first), 0, first.word});
+        break;
+      case Kind::word:
+        operations_.push_back({Operation::Kind::multiply, out, source(first), 0, first.word});
+        break;
+      case Kind::integer:
+        operations_.push_back({Operation::Kind::multiply_long, out, source(first), 0, longs_.size()});
+        longs_.push_back(first.magnitude);
+        break;
+    }
+    if (first.negative) operations_.push_back({Operation::Kind::negate, out, out});
+  }
+  for (; done < terms.size(); ++done) {
+    const Term& t = terms[done];
+    using Do = Operation::Kind;
+    if (t.kind == Kind::unit) {
+      operations_.push_back({t.negative ? Do::subtract : Do::add, out, out, source(t)});
+    } else if (mpz_fits_ulong_p(t.magnitude.get_mpz_t())) {
+      operations_.push_back({t.negative ? Do::subtract_product : Do::add_product, out, source(t), 0,
+                             mpz_get_ui(t.magnitude.get_mpz_t())});
+    } else {
+      operations_.push_back(
+          {t.negative ? Do::subtract_long : Do::add_long, out, source(t), 0, longs_.size()});
+      longs_.push_back(t.magnitude);
+    }
+  }
+}
+
+double ExactPlan::cost(const std::vector<std::vector<mpz_class>>& matrix) {
+  double least = 0;
+  choices(matrix, least);
+  return least;
+}
+
+void ExactPlan::apply(std::vector<mpz_class>& z, std::vector<mpz_class>& room) const {
+  const auto entry = [&](int i) { return (i < size_ ? z[i] : room[i - size_]).get_mpz_t(); };
+  for (const Operation& o : operations_) {
+    const mpz_ptr r = entry(o.out);
+    const mpz_srcptr a = entry(o.a);
+    switch (o.kind) {
+      case Operation::Kind::zero:
+        mpz_set_ui(r, 0);
+        break;
+      case Operation::Kind::copy:
+        mpz_set(r, a);
+        break;
+      case Operation::Kind::negate:
+        mpz_neg(r, a);
+        break;
+      case Operation::Kind::shift:
+        mpz_mul_2exp(r, a, o.word);
+        break;
+      case Operation::Kind::multiply:
+        mpz_mul_ui(r, a, o.word);
+        break;
+      case Operation::Kind::add:
+        mpz_add(r, a, entry(o.b));
+        break;
+      case Operation::Kind::subtract:
+        mpz_sub(r, a, entry(o.b));
+        break;
+      case Operation::Kind::add_product:
+        mpz_addmul_ui(r, a, o.word);
+        break;
+      case Operation::Kind::subtract_product:
+        mpz_submul_ui(r, a, o.word);
+        break;
+      case Operation::Kind::multiply_long:
+        mpz_mul(r, a, longs_[o.word].get_mpz_t());
+        break;
+      case Operation::Kind::add_long:
+        mpz_addmul(r, a, longs_[o.word].get_mpz_t());
+        break;
+      case Operation::Kind::subtract_long:
+        mpz_submul(r, a, longs_[o.word].get_mpz_t());
+        break;
+    }
+  }
+  if (!in_place_) z.swap(room);
 }
 
 }  // namespace shortfall

@@ -16,29 +16,57 @@ class ExactPlan {
  public:
   explicit ExactPlan(const std::vector<std::vector<mpz_class>>& matrix);
 
-  /// next = M z; the two must not be the same.
-  void apply(const std::vector<mpz_class>& z, std::vector<mpz_class>& next) const;
+  /// z = M z, in place where no later row needs what an earlier one replaces.
+  ///
+  /// param   room  another vector of the same size, for what cannot be done in place
+  void apply(std::vector<mpz_class>& z, std::vector<mpz_class>& room) const;
 
-  /// In passes of one multiplication by a word.
-  double cost() const { return cost_; }
+  /// Of applying it, in passes of one multiplication by a word.
+  static double cost(const std::vector<std::vector<mpz_class>>& matrix);
 
+  /// A coefficient times an entry.
   struct Term {
     int source = 0;
-    bool fresh = false;  ///< of `next` instead of z
-    mpz_class coefficient;
+    bool fresh = false;  ///< of the new one
     mpz_class magnitude;
     bool negative = false;
     enum class Kind { unit, shift, word, integer } kind = Kind::unit;
-    unsigned long word = 0;  ///< |coefficient|, or the exponent of two
+    unsigned long word = 0;  ///< the magnitude, or the exponent of two
   };
-
- private:
   struct Row {
     int target = 0;
     std::vector<Term> terms;
   };
-  std::vector<Row> rows_;
-  double cost_ = 0;
+
+ private:
+  /// out = a op b, or a op word; entries of z, then those of `room`.
+  struct Operation {
+    enum class Kind {
+      zero,
+      copy,
+      negate,
+      shift,
+      multiply,
+      add,
+      subtract,
+      add_product,       ///< out += a word
+      subtract_product,  ///< out -= a word
+      multiply_long,     ///< by longs_[word]
+      add_long,
+      subtract_long,
+    };
+    Kind kind;
+    int out = 0;
+    int a = 0;
+    int b = 0;
+    unsigned long word = 0;
+  };
+  void translate(const Row& row);
+
+  int size_;
+  bool in_place_ = true;
+  std::vector<Operation> operations_;
+  std::vector<mpz_class> longs_;
 };
 
 }  // namespace shortfall

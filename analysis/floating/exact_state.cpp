@@ -12,7 +12,8 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kMostAtOnce = 64;  // steps by one power of the matrix
+constexpr int kMostAtOnce = 64;         // steps by one power of the matrix
+constexpr std::size_t kSpareLimbs = 8;  // that a step may need more
 
 std::int64_t size_in_bits(const mpz_class& z) {
   return static_cast<std::int64_t>(mpz_sizeinbase(z.get_mpz_t(), 2));
@@ -63,13 +64,13 @@ void ExactState::advance(std::int64_t steps) {
     leave_words();
   }
   if (powers_.empty()) {
-    auto power = step_.matrix;
-    powers_.emplace_back(power);
+    powers_.push_back(step_.matrix);
     while (static_cast<int>(powers_.size()) < kMostAtOnce) {
-      power = product(step_.matrix, power);
+      auto power = product(step_.matrix, powers_.back());
       if (!fit_words(power)) break;
-      powers_.emplace_back(power);
+      powers_.push_back(std::move(power));
     }
+    plans_.resize(powers_.size());
   }
   const auto most = static_cast<std::int64_t>(powers_.size());
   while (steps > 0) {
@@ -82,17 +83,24 @@ void ExactState::advance(std::int64_t steps) {
 }
 
 void ExactState::apply(std::int64_t steps) {
-  powers_[steps - 1].apply(z_, next_);
-  z_.swap(next_);
-  check_size();
+  make_room();
+  auto& plan = plans_[steps - 1];
+  if (!plan) plan.emplace(powers_[steps - 1]);
+  plan->apply(z_, next_);
 }
 
-void ExactState::check_size() const {
-  for (const mpz_class& z : z_)
-    if (size_in_bits(z) > kLongestExactNumber)
-      throw Unable("the exact trajectory at frame " + std::to_string(frame_) + " has numbers of more than " +
-                   std::to_string(kLongestExactNumber) +
-                   " binary digits; numbers after n steps with certain digits need no such memory");
+void ExactState::make_room() {
+  std::size_t limbs = 0;
+  for (const mpz_class& z : z_) limbs = std::max(limbs, mpz_size(z.get_mpz_t()));
+  if (limbs + kSpareLimbs <= room_) return;
+  if (limbs > kLongestExactNumber / GMP_NUMB_BITS)
+    throw Unable("the exact trajectory at frame " + std::to_string(frame_) + " has numbers of more than " +
+                 std::to_string(kLongestExactNumber) +
+                 " binary digits; numbers after n steps with certain digits need no such memory");
+  // For many steps: GMP would make it anew at each.
+  room_ = limbs + limbs / 2 + 2 * kSpareLimbs;
+  for (auto* vector : {&z_, &next_})
+    for (mpz_class& z : *vector) mpz_realloc2(z.get_mpz_t(), static_cast<mp_bitcnt_t>(room_) * GMP_NUMB_BITS);
 }
 
 const std::vector<mpz_class>& ExactState::values() {
@@ -117,8 +125,8 @@ void ExactState::jump(std::int64_t steps) {
   z_ = jumped(step_, values(), steps);
   frame_ += steps;
   words_.reset();
+  room_ = 0;
   enter_words();
-  check_size();
 }
 
 }  // namespace shortfall

@@ -40,16 +40,19 @@ class ExactState {
 
  private:
   void apply(std::int64_t steps);
-  void check_size() const;
+  void make_room();
   void enter_words();
   void leave_words();
 
   const ExactStep& step_;
   std::int64_t frame_ = 0;
   std::optional<ExactWords> words_;
-  std::vector<ExactPlan> powers_;  ///< of M^1, M^2, ... as far as entries fit into a word
-  std::int64_t pending_ = 0;       ///< steps that are counted but not made; less than powers_.size()
-  std::int64_t seen_ = -1;         ///< the frame for which z_ is a copy of the words
+  /// M^1, M^2, ... as far as entries fit into a word; how they are applied is found out when they are.
+  std::vector<std::vector<std::vector<mpz_class>>> powers_;
+  std::vector<std::optional<ExactPlan>> plans_;
+  std::int64_t pending_ = 0;  ///< steps that are counted but not made; less than powers_.size()
+  std::int64_t seen_ = -1;    ///< the frame for which z_ is a copy of the words
+  std::size_t room_ = 0;      ///< limbs that z_ and next_ have at least
   std::vector<mpz_class> z_, next_;
 };
 

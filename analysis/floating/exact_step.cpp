@@ -2,9 +2,12 @@
 #include "analysis/floating/exact_step.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/gmp.hpp"
+#include "analysis/floating/exact_plan.hpp"
 
 namespace shortfall {
 
@@ -69,13 +72,18 @@ void refine(std::vector<mpz_class>& base, mpz_class value) {
 /// Pairwise coprime integers of which every denominator is a product; small primes are found, others need not
 /// be.
 std::vector<mpz_class> coprime_base(const Rows& rows) {
-  std::vector<mpz_class> base;
+  std::vector<mpz_class> base, seen;
   for (const auto& row : rows)
     for (const mpq_class& entry : row) {
       mpz_class rest = entry.get_den();
-      for (const int prime : {2, 3, 5, 7, 11, 13})
-        if (remove(rest, prime) > 0) refine(base, prime);
-      refine(base, rest);
+      if (rest == 1 || std::ranges::find(seen, rest) != seen.end()) continue;
+      seen.push_back(rest);
+      for (const unsigned long prime : {2, 3, 5, 7, 11, 13})
+        if (mpz_divisible_ui_p(rest.get_mpz_t(), prime)) {
+          remove(rest, prime);
+          refine(base, prime);
+        }
+      refine(base, std::move(rest));
     }
   return base;
 }
@@ -83,44 +91,85 @@ std::vector<mpz_class> coprime_base(const Rows& rows) {
 /// How often an entry contains a factor, negative in the denominator; a lower bound where the factor is not
 /// prime.
 int valuation(const mpq_class& entry, const mpz_class& factor) {
-  mpz_class part = entry.get_den();
-  if (const int below = remove(part, factor); below > 0) return -below;
-  part = entry.get_num();
-  return remove(part, factor);
+  const auto times = [&](const mpz_class& of) {
+    if (!mpz_divisible_p(of.get_mpz_t(), factor.get_mpz_t())) return 0;
+    mpz_class rest = of;
+    return remove(rest, factor);
+  };
+  const int below = times(entry.get_den());
+  return below > 0 ? -below : times(entry.get_num());
 }
 
-mpq_class power(const mpz_class& base, int exponent) {
+mpz_class power(const mpz_class& base, int exponent) {
   mpz_class p;
-  mpz_pow_ui(p.get_mpz_t(), base.get_mpz_t(), static_cast<unsigned long>(std::abs(exponent)));
-  return exponent < 0 ? mpq_class(1, p) : mpq_class(p);
+  mpz_pow_ui(p.get_mpz_t(), base.get_mpz_t(), static_cast<unsigned long>(exponent));
+  return p;
 }
 
-/// The least exponent e >= 0, and potentials u, with valuation + u_i - u_j + e >= 0 for all entries.
+/// The least exponent e >= 0 for which potentials u with valuation + u_i - u_j + e >= 0 for all entries
+/// exist, and such potentials: for each entry of the state those in which the others are as large as they can
+/// be beside it, and the least ones.
 struct Scaling {
   int exponent = 0;
-  std::vector<int> potentials;
+  std::vector<std::vector<int>> potentials;
 };
+
+/// Shortest paths from these first distances; nothing when there is a negative cycle.
+std::optional<std::vector<int>> shortest(const Rows& rows, const std::vector<std::vector<int>>& lengths,
+                                         int more, std::vector<int> u) {
+  bool changed = true;
+  for (std::size_t round = 0; changed; ++round) {
+    if (round > rows.size()) return std::nullopt;  // a path has no more edges
+    changed = false;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      for (std::size_t j = 0; j < rows.size(); ++j)
+        if (rows[i][j] != 0 && u[i] + lengths[i][j] + more < u[j]) {
+          u[j] = u[i] + lengths[i][j] + more;
+          changed = true;
+        }
+  }
+  return u;
+}
+
 Scaling scaling(const Rows& rows, const mpz_class& factor) {
   const std::size_t size = rows.size();
-  std::vector<std::vector<int>> valuations(size, std::vector<int>(size));
+  std::vector<std::vector<int>> lengths(size, std::vector<int>(size));
+  int longest = 0;
   for (std::size_t i = 0; i < size; ++i)
     for (std::size_t j = 0; j < size; ++j)
-      if (rows[i][j] != 0) valuations[i][j] = valuation(rows[i][j], factor);
-  for (int exponent = 0;; ++exponent) {
-    // Shortest paths: a round after the last possible one changes something only on a negative cycle.
-    std::vector<int> u(size);
-    bool changed = true;
-    for (std::size_t round = 0; changed && round <= size; ++round) {
-      changed = false;
-      for (std::size_t i = 0; i < size; ++i)
-        for (std::size_t j = 0; j < size; ++j)
-          if (rows[i][j] != 0 && u[i] + valuations[i][j] + exponent < u[j]) {
-            u[j] = u[i] + valuations[i][j] + exponent;
-            changed = true;
-          }
+      if (rows[i][j] != 0) {
+        lengths[i][j] = valuation(rows[i][j], factor);
+        longest = std::max(longest, lengths[i][j]);
+      }
+  Scaling s;
+  for (;; ++s.exponent)
+    if (const auto least = shortest(rows, lengths, s.exponent, std::vector<int>(size))) {
+      for (std::size_t r = 0; r < size; ++r) {
+        std::vector<int> far(size, static_cast<int>(size) * (longest + s.exponent));
+        far[r] = 0;
+        s.potentials.push_back(*shortest(rows, lengths, s.exponent, std::move(far)));
+      }
+      s.potentials.push_back(*least);
+      return s;
     }
-    if (!changed) return {exponent, std::move(u)};
-  }
+}
+
+/// D s_i a_ij / s_j.
+std::vector<std::vector<mpz_class>> scaled(const Rows& a, const mpz_class& base,
+                                           const std::vector<mpz_class>& scale) {
+  std::vector<std::vector<mpz_class>> result(a.size(), std::vector<mpz_class>(a.size()));
+  mpz_class below, rest;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < a.size(); ++j) {
+      if (a[i][j] == 0) continue;
+      mpz_class& entry = result[i][j];
+      entry = base * scale[i];
+      entry *= a[i][j].get_num();
+      below = a[i][j].get_den() * scale[j];
+      mpz_tdiv_qr(entry.get_mpz_t(), rest.get_mpz_t(), entry.get_mpz_t(), below.get_mpz_t());
+      if (rest != 0) throw Error("the scaled step is not whole");
+    }
+  return result;
 }
 
 mpz_class common_denominator(const std::vector<mpq_class>& values) {
@@ -129,15 +178,13 @@ mpz_class common_denominator(const std::vector<mpq_class>& values) {
   return common;
 }
 
-ExactStep::Report report(const std::vector<mpq_class>& row, const std::vector<mpq_class>& scale) {
+ExactStep::Report report(const std::vector<mpq_class>& row, const std::vector<mpz_class>& scale) {
   std::vector<mpq_class> weights;
   for (std::size_t j = 0; j < row.size(); ++j) weights.push_back(row[j] / scale[j]);
   ExactStep::Report r;
   r.denominator = common_denominator(weights);
-  mpz_class content;
   for (const mpq_class& w : weights) {
     r.row.emplace_back(w.get_num() * (r.denominator / w.get_den()));
-    content = gcd(content, r.row.back());
   }
   int reads = 0;
   for (std::size_t j = 0; j < row.size(); ++j)
@@ -157,20 +204,27 @@ ExactStep exact_step(const StepMatrix& m) {
   for (const int i : kept) a.push_back(rationals(m.step[i], kept));
   const std::size_t size = a.size();
 
+  // Of the scalings with the least denominator the one whose step is the least work.
   ExactStep step;
-  std::vector<mpq_class> scale(size, 1);
+  std::vector<std::vector<mpz_class>> scales(size + 1, std::vector<mpz_class>(size, 1));
   for (const mpz_class& factor : coprime_base(a)) {
     const Scaling s = scaling(a, factor);
-    step.base *= power(factor, s.exponent).get_num();
-    for (std::size_t i = 0; i < size; ++i) scale[i] *= power(factor, s.potentials[i]);
-  }
-  step.matrix.assign(size, std::vector<mpz_class>(size));
-  for (std::size_t i = 0; i < size; ++i)
-    for (std::size_t j = 0; j < size; ++j) {
-      const mpq_class entry = step.base * scale[i] * a[i][j] / scale[j];
-      if (entry.get_den() != 1) throw Error("the scaled step is not whole");
-      step.matrix[i][j] = entry.get_num();
+    step.base *= power(factor, s.exponent);
+    for (std::size_t r = 0; r < scales.size(); ++r) {
+      const int lowest = *std::ranges::min_element(s.potentials[r]);
+      for (std::size_t i = 0; i < size; ++i) scales[r][i] *= power(factor, s.potentials[r][i] - lowest);
     }
+  }
+  std::vector<mpz_class> scale;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::vector<mpz_class>& candidate : scales) {
+    auto matrix = scaled(a, step.base, candidate);
+    if (const double cost = ExactPlan::cost(matrix); cost < least) {
+      least = cost;
+      step.matrix = std::move(matrix);
+      scale = std::move(candidate);
+    }
+  }
 
   std::vector<mpq_class> start = rationals(m.start, kept);
   for (std::size_t i = 0; i < size; ++i) start[i] *= scale[i];

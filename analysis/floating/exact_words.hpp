@@ -10,8 +10,8 @@ namespace shortfall {
 
 /// z(n+1) = M z(n) in words of 64 and 128 bits, as long as it is certain that nothing overflows.
 ///
-/// Before a run of 2^i steps the largest |z| times the row sum of max(|M|, 1)^(2^i) is held against the word:
-/// so the steps themselves are not checked.
+/// Before a run of 2^i steps max(|M|, 1)^(2^i) |z|, in upper bounds, is held against the word: so the steps
+/// themselves are not checked.
 class ExactWords {
  public:
   /// param   matrix  row by row
@@ -25,7 +25,7 @@ class ExactWords {
  private:
   std::vector<std::int64_t> matrix_;
   std::vector<Int128> state_;
-  std::vector<double> growth_;  ///< upper bounds of the row sums for 2^i steps
+  std::vector<std::vector<double>> growth_;  ///< upper bounds of max(|M|, 1)^(2^i)
 };
 
 }  // namespace shortfall
