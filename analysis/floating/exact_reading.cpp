@@ -36,8 +36,10 @@ Modular modular(const mpz_class& value) {
 }  // namespace
 
 int ExactReading::sign() const {
+  ExactTrajectory::Parts& p = *trajectory_->parts_;
+  if (const int unit = p.report(velocity_).unit; unit >= 0) return sgn(p.state.values()[unit]);
   mpz_class room;
-  return sgn(trajectory_->parts_->numerator(velocity_, room));
+  return sgn(p.numerator(velocity_, room));
 }
 
 std::size_t ExactReading::bits() const {

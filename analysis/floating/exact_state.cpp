@@ -63,30 +63,45 @@ void ExactState::advance(std::int64_t steps) {
     steps -= done;
     leave_words();
   }
-  if (powers_.empty()) {
-    powers_.push_back(step_.matrix);
-    while (static_cast<int>(powers_.size()) < kMostAtOnce) {
-      auto power = product(step_.matrix, powers_.back());
-      if (!fit_words(power)) break;
-      powers_.push_back(std::move(power));
-    }
-    plans_.resize(powers_.size());
-  }
-  const auto most = static_cast<std::int64_t>(powers_.size());
   while (steps > 0) {
-    const std::int64_t now = std::min(steps, most - pending_);
+    // Powers are made when they are first needed: who looks at every frame needs none.
+    if (pending_ == static_cast<std::int64_t>(powers_.size()) && !add_power())
+      apply(std::exchange(pending_, 0));
+    const auto now = std::min(steps, static_cast<std::int64_t>(powers_.size()) - pending_);
     pending_ += now;
     frame_ += now;
     steps -= now;
-    if (pending_ == most) apply(std::exchange(pending_, 0));
   }
+}
+
+bool ExactState::add_power() {
+  if (all_powers_) return false;
+  if (powers_.empty()) {
+    powers_.push_back(step_.matrix);
+  } else {
+    auto power = product(step_.matrix, powers_.back());
+    all_powers_ = static_cast<int>(powers_.size()) >= kMostAtOnce || !fit_words(power);
+    if (all_powers_) return false;
+    powers_.push_back(std::move(power));
+  }
+  ways_.emplace_back();
+  return true;
 }
 
 void ExactState::apply(std::int64_t steps) {
   make_room();
-  auto& plan = plans_[steps - 1];
-  if (!plan) plan.emplace(powers_[steps - 1]);
-  plan->apply(z_, next_);
+  auto& way = ways_[steps - 1];
+  if (std::holds_alternative<std::monostate>(way)) {
+    const auto& matrix = powers_[steps - 1];
+    if (ExactPair::fits(matrix) && ExactPlan::cost(matrix) > ExactPair::kCost)
+      way.emplace<ExactPair>(matrix);
+    else
+      way.emplace<ExactPlan>(matrix);
+  }
+  if (const auto* pair = std::get_if<ExactPair>(&way))
+    pair->apply(z_);
+  else
+    std::get<ExactPlan>(way).apply(z_, next_);
 }
 
 void ExactState::make_room() {

@@ -7,8 +7,10 @@
 
 #include <cstdint>
 #include <optional>
+#include <variant>
 #include <vector>
 
+#include "analysis/floating/exact_pair.hpp"
 #include "analysis/floating/exact_plan.hpp"
 #include "analysis/floating/exact_step.hpp"
 #include "analysis/floating/exact_words.hpp"
@@ -40,6 +42,7 @@ class ExactState {
 
  private:
   void apply(std::int64_t steps);
+  bool add_power();
   void make_room();
   void enter_words();
   void leave_words();
@@ -49,10 +52,11 @@ class ExactState {
   std::optional<ExactWords> words_;
   /// M^1, M^2, ... as far as entries fit into a word; how they are applied is found out when they are.
   std::vector<std::vector<std::vector<mpz_class>>> powers_;
-  std::vector<std::optional<ExactPlan>> plans_;
-  std::int64_t pending_ = 0;  ///< steps that are counted but not made; less than powers_.size()
-  std::int64_t seen_ = -1;    ///< the frame for which z_ is a copy of the words
-  std::size_t room_ = 0;      ///< limbs that z_ and next_ have at least
+  std::vector<std::variant<std::monostate, ExactPair, ExactPlan>> ways_;
+  std::int64_t pending_ = 0;  ///< steps that are counted but not made; at most powers_.size()
+  bool all_powers_ = false;
+  std::int64_t seen_ = -1;  ///< the frame for which z_ is a copy of the words
+  std::size_t room_ = 0;    ///< limbs that z_ and next_ have at least
   std::vector<mpz_class> z_, next_;
 };
 
