@@ -8,10 +8,13 @@ namespace shortfall {
 
 namespace {
 
+constexpr int kHighestDegree = 30;  // the matrix grows with it
+
 NumericQuestion checked(const Program& program, const NumericQuestion& asked) {
   NumericQuestion q = asked;
-  q.force = true_force(program, asked);
-  const Force f = without_own_equation(q.force);
+  q.force = without_own_equation(
+      with_own_equation(asked.force, program, parameter_values(program, asked.parameters)));
+  const Force& f = q.force;
   const auto need = [](bool there, const std::string& letter) {
     if (!there)
       throw BadInput("an exact trajectory needs a number for " + letter +
@@ -20,6 +23,8 @@ NumericQuestion checked(const Program& program, const NumericQuestion& asked) {
   need(!f.spring || f.k, "k");
   need(!f.damper || f.c, "c");
   for (int d = 0; d <= f.degree; ++d) need(f.push.contains(d), d == 0 ? "a (= f0)" : "f" + std::to_string(d));
+  if (f.degree > kHighestDegree)
+    throw Unable("exact trajectories are given for forces up to poly:" + std::to_string(kHighestDegree));
   return q;
 }
 

@@ -124,6 +124,20 @@ TEST_CASE("exact trajectories of random integrators are those of the interpreter
   CHECK(count > 500);
 }
 
+TEST_CASE("steps that are floating-point numbers, and long ones, give matrices of long integers") {
+  const Program program = find_integrator("velocity-verlet");
+  NumericQuestion q = question("damped-spring:k=3,c=1/10", "1/50", "0");
+  for (const Rational& h : {Rational::from_double(0.02), Rational::from_double(0.1f),
+                            Rational::parse("0.0199999999999999999999999999999999999999999999999")}) {
+    q.h = h;
+    CHECK(compared(program, q, 40) == 41);
+    ExactTrajectory stepped(program, q), jumped(program, q);
+    stepped.advance(40);
+    jumped.jump(40);
+    CHECK(stepped.position().rational() == jumped.position().rational());
+  }
+}
+
 TEST_CASE("after 1000 to 100000 frames an exact trajectory is where numeric_motion is") {
   for (const char* integrator : {"symplectic-euler", "velocity-verlet", "rk4", "adams-bashforth-2"})
     for (const char* force : {"spring:k=1", "poly:2:f0=2,f1=1/5,f2=-1+damped-spring:k=2,c=1/9"})
@@ -295,6 +309,10 @@ TEST_CASE("what has no exact trajectory is refused with a sentence") {
   CHECK_THROWS_WITH_AS(
       ExactTrajectory(find_integrator("implicit-midpoint"), question("spring:k=-400", "1/10", "0")),
       doctest::Contains("singular"), Undefined);
+  std::string high = "poly:31:f0=1";
+  for (int d = 1; d <= 31; ++d) high += ",f" + std::to_string(d) + "=1";
+  CHECK_THROWS_WITH_AS(ExactTrajectory(p, question(high.c_str(), "1/10", "0")), doctest::Contains("poly:30"),
+                       Unable);
   ExactTrajectory at(p, question("spring:k=1", "1/50", "0"));
   CHECK_THROWS_AS(at.advance(-1), BadInput);
   CHECK_THROWS_AS(at.jump(-1), BadInput);
