@@ -2,6 +2,7 @@
 #include "analysis/floating/exact_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -17,6 +18,7 @@ using Term = ExactPlan::Term;
 using Row = ExactPlan::Row;
 using Kind = Term::Kind;
 
+constexpr int kQuick = 8;      // entries for which no memory is allocated
 constexpr int kAllOrders = 4;  // rows of which every order is tried
 
 Term term(int source, bool fresh, const mpz_class& coefficient) {
@@ -251,10 +253,16 @@ double ExactPlan::cost(const std::vector<std::vector<mpz_class>>& matrix) {
 }
 
 void ExactPlan::apply(std::vector<mpz_class>& z, std::vector<mpz_class>& room) const {
-  const auto entry = [&](int i) { return (i < size_ ? z[i] : room[i - size_]).get_mpz_t(); };
+  std::array<mpz_ptr, 2 * kQuick> few;
+  std::vector<mpz_ptr> many(size_ > kQuick ? 2 * size_ : 0);
+  mpz_ptr* const entries = size_ > kQuick ? many.data() : few.data();
+  for (int i = 0; i < size_; ++i) {
+    entries[i] = z[i].get_mpz_t();
+    entries[size_ + i] = room[i].get_mpz_t();
+  }
   for (const Operation& o : operations_) {
-    const mpz_ptr r = entry(o.out);
-    const mpz_srcptr a = entry(o.a);
+    const mpz_ptr r = entries[o.out];
+    const mpz_srcptr a = entries[o.a];
     switch (o.kind) {
       case Operation::Kind::zero:
         mpz_set_ui(r, 0);
@@ -272,10 +280,10 @@ void ExactPlan::apply(std::vector<mpz_class>& z, std::vector<mpz_class>& room) c
         mpz_mul_ui(r, a, o.word);
         break;
       case Operation::Kind::add:
-        mpz_add(r, a, entry(o.b));
+        mpz_add(r, a, entries[o.b]);
         break;
       case Operation::Kind::subtract:
-        mpz_sub(r, a, entry(o.b));
+        mpz_sub(r, a, entries[o.b]);
         break;
       case Operation::Kind::add_product:
         mpz_addmul_ui(r, a, o.word);
