@@ -106,6 +106,8 @@ void jump(const JumpOptions& o) {
   if (!o.height.empty()) heights = sweep(o.height, Unit::length, "--height");
   if (listed && o.by() != LaunchBy::velocity)
     throw BadInput("--dt-file sets the velocity: no --launch " + o.launch);
+  if (!o.language.empty() && o.by() == LaunchBy::force)
+    throw BadInput("--lang writes code that sets the velocity: no --launch force");
   if (listed) return jump_over_frames(o, heights);
   if (o.all_engines) return jump_of_engines(o, heights);
   const Rational g = o.gravity();

@@ -56,6 +56,7 @@ TEST_CASE("a force that is held over frame 1 launches, too") {
   CHECK(contains(o.out, "the force's own frame included"));
   CHECK(contains(run("jump --all-engines --height 1.7 --launch force").out, "held over frame 1"));
   CHECK(run("jump --height 1.7 --launch force --dt-file frames.csv").code == 2);
+  CHECK(run("jump physx --height 1.7 --launch force --lang cpp").code == 2);
 }
 
 }  // namespace
