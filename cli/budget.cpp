@@ -3,7 +3,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/floating/budget.hpp"
-#include "cli/command.hpp"
+#include "cli/float_question.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
@@ -14,9 +14,8 @@ namespace shortfall::cli {
 
 namespace {
 
-struct BudgetOptions : Question {
-  std::string formats = "f32,f64";
-  std::string height, steps, until, x0, v0, plot;
+struct BudgetOptions : FloatOptions {
+  std::string height, steps, until, plot;
 };
 
 std::int64_t step_count(const BudgetOptions& o, const Rational& h) {
@@ -33,36 +32,12 @@ std::int64_t step_count(const BudgetOptions& o, const Rational& h) {
   return whole;
 }
 
-FloatQuestion asked(const BudgetOptions& o) {
-  FloatQuestion q;
-  q.program = o.program();
-  q.parameters = o.values();
-  q.substeps = o.substeps();
-  q.force = force_named(o.force);
-  if (q.force.degree == 0 && !q.force.push.contains(0)) q.force.push[0] = -o.gravity();
-  for (int d = 0; d <= q.force.degree; ++d)
-    if (!q.force.push.contains(d)) throw BadInput("the force needs numbers: --force poly:1:f0=1,f1=2");
-  // 0.02f: what is meant is 0.02, and 0.02f is what is stored.
-  std::string meant = o.dt;
-  if (meant.ends_with('f') || meant.ends_with('d')) {
-    meant.pop_back();
-    q.kept_h = o.step();
-    q.h = positive_quantity(meant, Unit::time, "--dt");
-  } else {
-    q.h = o.step();
-  }
-  const bool rests = o.x0.empty() && o.v0.empty();
-  q.x0 = rests ? Rational(1) : o.x0.empty() ? Rational() : quantity(o.x0, Unit::length, "--x0");
-  q.v0 = o.v0.empty() ? Rational() : quantity(o.v0, Unit::none, "--v0");
-  return q;
-}
-
 int budget_command(const BudgetOptions& o) {
   const std::vector<FloatFormat> formats = float_formats(o.formats);
   if (!o.plot.empty()) image_format(o.plot);  // a wrong ending is seen before any work
   if (!o.height.empty() && !(o.steps.empty() && o.until.empty()))
     throw BadInput("--height asks for the peak of a jump; --steps and --until for a frame: give one of them");
-  const FloatQuestion q = asked(o);
+  const FloatQuestion q = float_question(o);
   std::string about = q.program.name + ", ";
   std::vector<Budget> budgets;
   {
@@ -104,30 +79,17 @@ void add_budget(CLI::App& app, int& code) {
                    "f16,f32,f32+kahan,f64,mpfr:50",
                    "budget --height 1.7 --formats f32 --plot budget.svg"});
   auto o = std::make_shared<BudgetOptions>();
-  add_integrator(*command, *o);
-  add_force(*command, *o);
+  o->formats = "f32,f64";
+  add_float_options(*command, *o,
+                    "f16, bf16, f32, f64, x87, f128, dd, mpfr:DIGITS, with +fma, +kahan, +origin, +tozero");
   command->add_option("--height", o->height, "the peak of a jump that is meant to be so high")
       ->type_name("H");
   command->add_option("--steps", o->steps, "after so many steps")->type_name("N");
   command->add_option("--until", o->until, "at a time, a whole number of steps")->type_name("TIME");
-  command->add_option("--x0", o->x0, "position at the start (1 m when neither it nor --v0 is given)")
-      ->type_name("X");
-  command->add_option("--v0", o->v0, "velocity at the start in m/s")->type_name("V");
-  command
-      ->add_option("--formats", o->formats,
-                   "f16, bf16, f32, f64, x87, f128, dd, mpfr:DIGITS, with +fma, +kahan, +origin, +tozero; "
-                   "several with commas")
-      ->capture_default_str()
-      ->type_name("LIST");
   command
       ->add_option("--plot", o->plot,
                    "draw the parts (needs gnuplot): a file that ends in .svg, .png or .pdf")
       ->type_name("FILE");
-  add_time_step(*command, *o);
-  add_gravity(*command, *o);
-  add_parameters(*command, *o);
-  add_json(*command, *o);
-  add_output(*command, *o);
   command->callback([o, &code] { code = budget_command(*o); });
 }
 

@@ -21,20 +21,6 @@ struct ClockOptions : Question {
   bool kahan = false;
 };
 
-bool has_suffix(const std::string& text, char suffix) {
-  return text.size() > 1 && text.back() == suffix && text.find_last_of("0123456789.") == text.size() - 2;
-}
-
-/// A number and, for 0.1f, what it is meant to be.
-struct Given {
-  Rational meant;
-  std::optional<Rational> kept;
-};
-Given given(const std::string& text, Unit unit, const std::string& what) {
-  if (!has_suffix(text, 'f') && !has_suffix(text, 'd')) return {quantity(text, unit, what), std::nullopt};
-  return {quantity(text.substr(0, text.size() - 1), unit, what), quantity(text, unit, what)};
-}
-
 Rational additions(const ClockOptions& o, const Rational& dt) {
   if (o.steps.empty() == o.until.empty())
     throw BadInput("a clock needs --steps N or --until TIME, one of them");
@@ -60,7 +46,7 @@ ClockArithmetic arithmetic(const ClockOptions& o) {
 int clock_command(const ClockOptions& o) {
   ClockQuestion q;
   static_cast<ClockArithmetic&>(q) = arithmetic(o);
-  const Given dt = given(o.dt, Unit::time, "--dt");
+  const StoredQuantity dt = stored_quantity(o.dt, Unit::time, "--dt");
   q.dt = dt.meant;
   q.kept_dt = dt.kept;
   if (q.dt.is_zero()) throw BadInput("--dt is 0: such a clock stands still");

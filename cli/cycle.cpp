@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <cmath>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/floating/cycle.hpp"
-#include "cli/command.hpp"
+#include "cli/float_question.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
@@ -15,21 +14,12 @@ namespace shortfall::cli {
 
 namespace {
 
-struct CycleOptions : Question {
-  std::string formats = "f32";
-  std::string x0 = "1", v0 = "0", most = "1e9";
+struct CycleOptions : FloatOptions {
+  std::string most = "1e9";
 };
 
 int cycle_command(const CycleOptions& o) {
-  FloatQuestion q;
-  q.program = o.program();
-  q.parameters = o.values();
-  q.substeps = o.substeps();
-  q.force = force_named(o.force);
-  if (q.force.degree == 0 && !q.force.push.contains(0)) q.force.push[0] = -o.gravity();
-  q.h = o.step();
-  q.x0 = quantity(o.x0, Unit::length, "--x0");
-  q.v0 = quantity(o.v0, Unit::none, "--v0");
+  const FloatQuestion q = float_question(o);
   std::int64_t most = 0;
   if (const Rational n = quantity(o.most, Unit::none, "--most");
       !n.is_integer() || !n.fits_int64(most) || most < 1)
@@ -65,21 +55,11 @@ void add_cycle(CLI::App& app, int& code) {
                    "cycle velocity-verlet --force spring:k=1 --dt 1/8 --formats f16,bf16,f32 --json"});
   auto o = std::make_shared<CycleOptions>();
   o->force = "spring:k=1";
-  add_integrator(*command, *o);
-  add_force(*command, *o);
-  command->add_option("--formats", o->formats, "f16, bf16, f32, f64, each with +tozero; several with commas")
-      ->capture_default_str()
-      ->type_name("LIST");
-  command->add_option("--x0", o->x0, "position at the start")->capture_default_str()->type_name("X");
-  command->add_option("--v0", o->v0, "velocity at the start in m/s")->capture_default_str()->type_name("V");
+  o->formats = "f32";
+  add_float_options(*command, *o, "f16, bf16, f32, f64, each with +tozero");
   command->add_option("--most", o->most, "steps before giving up; memory does not grow with it")
       ->capture_default_str()
       ->type_name("N");
-  add_time_step(*command, *o);
-  add_gravity(*command, *o);
-  add_parameters(*command, *o);
-  add_json(*command, *o);
-  add_output(*command, *o);
   command->callback([o, &code] { code = cycle_command(*o); });
 }
 

@@ -77,6 +77,15 @@ Rational positive_quantity(std::string_view text, Unit unit, const std::string& 
   return value;
 }
 
+bool has_suffix(std::string_view text, char suffix) {
+  return text.size() > 1 && text.back() == suffix && text.find_last_of("0123456789.") == text.size() - 2;
+}
+
+StoredQuantity stored_quantity(std::string_view text, Unit unit, const std::string& what) {
+  if (!has_suffix(text, 'f') && !has_suffix(text, 'd')) return {quantity(text, unit, what), std::nullopt};
+  return {quantity(text.substr(0, text.size() - 1), unit, what), quantity(text, unit, what)};
+}
+
 std::vector<Rational> sweep(std::string_view text, Unit unit, const std::string& what) {
   std::vector<std::string_view> parts;
   for (std::size_t begin = 0; begin <= text.size();) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -21,6 +22,18 @@ Rational quantity(std::string_view text, Unit unit, const std::string& what);
 
 /// As quantity, and positive.
 Rational positive_quantity(std::string_view text, Unit unit, const std::string& what);
+
+/// A number and, where it says so (0.1f, 1/60d), what is stored for it.
+struct StoredQuantity {
+  Rational meant;                ///< 0.1
+  std::optional<Rational> kept;  ///< 0.1f, exactly
+};
+
+/// Whether a number ends in the suffix f or d.
+bool has_suffix(std::string_view text, char suffix);
+
+/// As quantity, with the number that is meant told from the one that is stored.
+StoredQuantity stored_quantity(std::string_view text, Unit unit, const std::string& what);
 
 /// "FROM:TO:lin:COUNT" or "FROM:TO:log:COUNT", or a single number. Logarithmic points are rounded to 12
 /// significant digits (and are exact then).

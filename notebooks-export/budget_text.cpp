@@ -36,6 +36,15 @@ std::string shown(const Ball& value, const Scale& scale) {
   return "0 +- " + scaled.radius();
 }
 
+/// A bound with two digits, never below it.
+std::string rounded_up(double bound) {
+  if (bound == 0 || !std::isfinite(bound)) return bound == 0 ? "0" : "none";
+  const double unit = std::pow(10.0, std::floor(std::log10(bound)) - 1);
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.2g", std::ceil(bound / unit) * unit);
+  return text.data();
+}
+
 /// A table with its columns aligned, the first to the left.
 std::string table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;
@@ -122,11 +131,8 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
       std::vector<std::string> row{b.format.name(), shown(l.observed, scale)};
       for (const BudgetTerm& t : l.terms) row.push_back(shown(t.value, scale));
       if (i == 0) {
-        std::array<char, 32> bound{};
-        if (b.rounding_bound)
-          std::snprintf(bound.data(), bound.size(), "%.2g",
-                        *b.rounding_bound * std::pow(10.0, scale.exponent));
-        row.push_back(b.rounding_bound ? bound.data() : "-");
+        row.push_back(b.rounding_bound ? rounded_up(*b.rounding_bound * std::pow(10.0, scale.exponent))
+                                       : "-");
       }
       rows.push_back(std::move(row));
     }
@@ -137,6 +143,9 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
     if (b.differs_at)
       text += "  " + b.format.name() + ": the first rounding that is seen is in step " +
               std::to_string(*b.differs_at) + "\n";
+    else if (b.compared > 0)
+      text += "  " + b.format.name() + ": no rounding at all in the first " + std::to_string(b.compared) +
+              " steps\n";
     if (b.not_finite_at) {
       text += "  " + b.format.name() + ": no longer a finite number from step " +
               std::to_string(*b.not_finite_at) + " on; there is no budget\n";
@@ -193,6 +202,7 @@ nlohmann::ordered_json as_json(const std::vector<Budget>& budgets) {
     }
     one["rounding_bound"] =
         b.rounding_bound ? nlohmann::ordered_json(*b.rounding_bound) : nlohmann::ordered_json(nullptr);
+    one["compared_steps"] = b.compared;
     one["differs_at"] =
         b.differs_at ? nlohmann::ordered_json(*b.differs_at) : nlohmann::ordered_json(nullptr);
     json["budgets"].push_back(std::move(one));

@@ -7,6 +7,7 @@
 #include "analysis/motion/formula.hpp"
 #include "analysis/motion/formula_text.hpp"
 #include "analysis/problems/letters.hpp"
+#include "analysis/program/arithmetic.hpp"
 #include "analysis/program/print.hpp"
 
 namespace shortfall {
@@ -83,7 +84,10 @@ void fill(AuditedTableau& t, const Method<Expr>& expressions, const Values& give
 
 }  // namespace
 
-KnownDigits known_value(const Expr& e, const Program& program, const Values& values) {
+namespace {
+
+/// What is no sum, product or quotient.
+KnownDigits known_leaf(const Expr& e, const Program& program, const Values& values) {
   using Op = Expression::Op;
   const auto operand = [&](std::size_t i) { return known_value(e->operands[i], program, values); };
   switch (e->op) {
@@ -96,16 +100,6 @@ KnownDigits known_value(const Expr& e, const Program& program, const Values& val
         if (r.name == e->name) return KnownDigits(ball(*r.value, KnownDigits::kBits));
       if (const auto found = values.find(e->name); found != values.end()) return KnownDigits(found->second);
       break;
-    case Op::negate:
-      return -operand(0);
-    case Op::add:
-      return operand(0) + operand(1);
-    case Op::subtract:
-      return operand(0) - operand(1);
-    case Op::multiply:
-      return operand(0) * operand(1);
-    case Op::divide:
-      return operand(0) / operand(1);
     case Op::power:
       if (const auto exponent = literal_value(e->operands[1])) {
         std::int64_t n = 0;
@@ -120,6 +114,12 @@ KnownDigits known_value(const Expr& e, const Program& program, const Values& val
       break;
   }
   throw Unable("an entry of the tableau is no number: " + print(e));
+}
+
+}  // namespace
+
+KnownDigits known_value(const Expr& e, const Program& program, const Values& values) {
+  return arithmetic<KnownDigits>(e, [&](const Expr& leaf) { return known_leaf(leaf, program, values); });
 }
 
 AuditedTableau::AuditedTableau(const TableauFile& file)

@@ -8,6 +8,7 @@
 #include "analysis/algebra/ball.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/problems/undisturbed_numbers.hpp"
+#include "analysis/program/arithmetic.hpp"
 #include "analysis/program/function.hpp"
 
 namespace shortfall {
@@ -16,8 +17,10 @@ namespace {
 
 using Names = std::map<std::string, Rational>;
 
-/// An expression's value; a(...) is what "a" stands for.
-Rational value_of(const Expr& e, const Names& names) {
+Rational value_of(const Expr& e, const Names& names);
+
+/// Of what is no sum, product or quotient.
+Rational leaf_value(const Expr& e, const Names& names) {
   using Op = Expression::Op;
   const auto operand = [&](std::size_t k) { return value_of(e->operands[k], names); };
   switch (e->op) {
@@ -27,16 +30,6 @@ Rational value_of(const Expr& e, const Names& names) {
       return names.at(e->name);
     case Op::force:
       return names.at("a");
-    case Op::negate:
-      return -operand(0);
-    case Op::add:
-      return operand(0) + operand(1);
-    case Op::subtract:
-      return operand(0) - operand(1);
-    case Op::multiply:
-      return operand(0) * operand(1);
-    case Op::divide:
-      return operand(0) / operand(1);
     case Op::power: {
       std::int64_t exponent = 0;
       if (operand(1).fits_int64(exponent)) return operand(0).pow(static_cast<int>(exponent));
@@ -48,10 +41,15 @@ Rational value_of(const Expr& e, const Names& names) {
       const Rational first = operand(0);
       return value_to_100_digits(*function, first, arity(*function) == 2 ? operand(1) : first);
     }
-    case Op::sum:
+    default:
       break;
   }
   throw Unable("an expression of `solves` has no value");
+}
+
+/// An expression's value; a(...) is what "a" stands for.
+Rational value_of(const Expr& e, const Names& names) {
+  return arithmetic<Rational>(e, [&](const Expr& leaf) { return leaf_value(leaf, names); });
 }
 
 /// Working bits: 1 - e^(-s) and its like lose as many digits as s is small, twice.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/surd.hpp"
@@ -17,6 +18,7 @@ constexpr int kDigits = 60;  // of every exact answer, at first
 constexpr int kMostDigits = 4000;
 constexpr int kNarrow = 40;  // the residual is narrower than 10^-40 of the total
 constexpr std::int64_t kReport = 100'000;
+constexpr std::int64_t kCompared = 100'000;  // with exact rationals: a second
 
 Ball zero(int bits) { return Ball(0, bits); }
 
@@ -90,6 +92,9 @@ struct RunResult {
 };
 RunResult run_to(FloatRun& run, std::int64_t steps, const std::string& format, const Progress& progress) {
   RunResult r;
+  std::tie(r.largest_x, r.largest_v) = run.rough();
+  r.largest_x = std::abs(r.largest_x);
+  r.largest_v = std::abs(r.largest_v);
   for (std::int64_t n = 1; n <= steps; ++n) {
     run.step();
     const auto [x, v] = run.rough();
@@ -106,21 +111,24 @@ RunResult run_to(FloatRun& run, std::int64_t steps, const std::string& format, c
   return r;
 }
 
-/// The first frame at which the run is not the exact map of its constants.
-std::optional<std::int64_t> first_difference(const FloatFormat& format, const FloatQuestion& question,
-                                             const FloatQuestion& stored_question, std::int64_t steps) {
-  constexpr std::int64_t kLooked = 64;  // exact numbers of a run grow with every frame
-  const auto run = float_run(format, question);
-  for (std::int64_t n = 1; n <= std::min(steps, kLooked); ++n) {
-    run->step();
-    const ExactState exact = exact_state(stored_question, n, kDigits);
-    const auto [x, v] = run->state();
-    if (!x.is_finite() || !v.is_finite()) return n;
-    const int bits = bits_for(kDigits);
-    if (!(exact.x - Ball(x.value, bits)).contains_zero() || !(exact.v - Ball(v.value, bits)).contains_zero())
-      return n;
+/// The first step at which the run is not the exact map of its constants. As long as the two agree, exact
+/// numbers are as short as the run's.
+void put_first_difference(Budget& b) {
+  try {
+    const auto run = float_run(b.format, b.question), exact = exact_run(b.stored);
+    for (std::int64_t n = 1; n <= std::min(b.steps, kCompared); ++n) {
+      run->step();
+      exact->step();
+      const auto [x, v] = run->state();
+      const auto [exact_x, exact_v] = exact->state();
+      b.compared = n;
+      if (x.is_finite() && v.is_finite() && x.value == exact_x.value && v.value == exact_v.value) continue;
+      b.differs_at = n;
+      return;
+    }
+  } catch (const Unable&) {  // irrational coefficients: no exact run
+    b.compared = 0;
   }
-  return std::nullopt;
 }
 
 void check_steps(std::int64_t steps) {
@@ -140,7 +148,7 @@ bool BudgetLine::closes() const { return residual.contains_zero() && narrower(re
 Budget budget(const FloatFormat& format, const FloatQuestion& question, std::int64_t steps,
               const Progress& progress) {
   check_steps(steps);
-  Budget b{format, question, stored(question, format), steps, {}, {}, {}, {}};
+  Budget b{format, question, stored(question, format), steps};
   const auto run = float_run(format, question);
   const RunResult r = run_to(*run, steps, format.name(), progress);
   if (r.not_finite_at) {
@@ -179,7 +187,7 @@ Budget budget(const FloatFormat& format, const FloatQuestion& question, std::int
     const bool done = std::ranges::all_of(b.lines, [](const BudgetLine& l) { return l.closes(); });
     if (done || digits >= kMostDigits) break;
   }
-  b.differs_at = first_difference(format, question, b.stored, steps);
+  put_first_difference(b);
   b.rounding_bound = rounding_bound(format, b.stored, steps, r.largest_x, r.largest_v);
   return b;
 }
@@ -195,7 +203,7 @@ Budget peak_budget(const FloatFormat& format, const FloatQuestion& question, con
   q.x0 = 0;
   const Surd launch = Surd::sqrt(Rational(2) * g * height);
   q.v0 = launch.is_rational() ? launch.rational_part() : launch.approximation(kLaunchDigits);
-  Budget b{format, q, stored(q, format), 0, {}, {}, {}, {}};
+  Budget b{format, q, stored(q, format)};
 
   // The peak of the run: the first of its highest frames.
   const auto run = float_run(format, q);
@@ -220,7 +228,7 @@ Budget peak_budget(const FloatFormat& format, const FloatQuestion& question, con
   };
   const auto [m, computed] = peak();
   if (b.not_finite_at) return b;
-  const auto [again_m, again] = peak();
+  const FloatNumber again = peak().second;
   b.steps = m;
 
   // The map is affine in the launch: two exact runs give it for every launch, sqrt(2 g H) included.
@@ -255,8 +263,7 @@ Budget peak_budget(const FloatFormat& format, const FloatQuestion& question, con
                                 {"representation", as_ball(ideal - kept)},
                                 {"rounding", as_ball(kept - Surd(computed.value))}};
   b.lines = {line("peak", "m", again, Ball(height, bits), Ball(height, bits), std::move(terms), bits)};
-  (void)again_m;
-  b.differs_at = first_difference(format, q, b.stored, m);
+  put_first_difference(b);
   return b;
 }
 

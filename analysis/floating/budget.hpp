@@ -42,16 +42,17 @@ struct Budget {
   FloatQuestion question;
   FloatQuestion stored;
   std::int64_t steps = 0;
-  std::vector<BudgetLine> lines;
-  /// The first frame at which the run differs from the exact map of the stored constants; none when it never
-  /// does.
-  std::optional<std::int64_t> differs_at;
+  std::vector<BudgetLine> lines{};
+  /// How many steps were compared with the exact map of the stored constants, and the first one after which
+  /// the run is not that; none when all that were compared are. Irrational coefficients: 0 are compared.
+  std::int64_t compared = 0;
+  std::optional<std::int64_t> differs_at{};
   /// Rounding is at most this in x, in m: a bound from one step's roundings and the powers of its matrix,
   /// with the largest x and v of the run. None for implicit steps, and formats without one rounding an
   /// operation.
-  std::optional<double> rounding_bound;
+  std::optional<double> rounding_bound{};
   /// The frame at which the run stopped being finite; then there are no lines.
-  std::optional<std::int64_t> not_finite_at;
+  std::optional<std::int64_t> not_finite_at{};
 };
 
 /// The budget of x, v (and the energy where the force has one) after so many steps.

@@ -132,7 +132,7 @@ std::vector<ExtremeCase> extreme_sums(const FloatFormat& format) {
   cases.push_back(
       {"the Patriot clock", "tenths of a second for 100 hours, 0.1 chopped to 24 bits of fixed point",
        "360000 s", (kept * Rational(3'600'000)).significant(10) + " s",
-       "off by exactly 5625/16384 s = 0.3433 s, 573 m at the speed of a Scud (1676 m/s, Skeel 1992)", false});
+       "off by exactly 5625/16384 s = 0.3433 s, 575 m at the speed of a Scud (1676 m/s, Skeel 1992)", false});
   cases.push_back(muller(format));
   cases.push_back(rump(format));
   return cases;

@@ -113,6 +113,15 @@ std::unique_ptr<FloatRun> float_run(const FloatFormat& format, const FloatQuesti
   return wide_float_run(format, question);
 }
 
+std::unique_ptr<FloatRun> exact_run(const FloatQuestion& question) {
+  check_numeric(question.force);
+  FloatAccess<Rational> access;
+  access.rounded = [](const Rational& value) { return value; };
+  access.exact = [](const Rational& value) { return FloatNumber{FloatNumber::Kind::finite, value}; };
+  access.rough = [](const Rational& value) { return value.to_double(); };
+  return std::make_unique<TypedFloatRun<Rational>>(question, access);
+}
+
 FloatQuestion stored(const FloatQuestion& question, const FloatFormat& format) {
   check_numeric(question.force);
   const Storage storage(format);

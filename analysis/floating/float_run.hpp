@@ -56,6 +56,11 @@ class FloatRun {
 /// throws  BadInput  for a letter of the force without a number;  Undefined  when a stage is singular
 std::unique_ptr<FloatRun> float_run(const FloatFormat& format, const FloatQuestion& question);
 
+/// The same in exact rational numbers, which grow with every step that is not exact in a short format.
+///
+/// throws  Unable  when the step has an irrational coefficient
+std::unique_ptr<FloatRun> exact_run(const FloatQuestion& question);
+
 /// The same question with every number as the format stores it: h, x0, v0, the force, parameters, and numbers
 /// in the step that are no fractions of whole numbers. What is left between its exact answer and the run is
 /// rounding.

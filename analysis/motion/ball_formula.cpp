@@ -2,6 +2,7 @@
 #include "analysis/motion/ball_formula.hpp"
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/program/arithmetic.hpp"
 
 namespace shortfall {
 
@@ -54,7 +55,10 @@ Ball ball_value(const Fraction& f, const std::vector<Ball>& letters, int bits) {
   return f.is_polynomial() ? above : above / value(f.denominator(), letters, bits);
 }
 
-Ball ball_value(const Expr& e, const std::map<std::string, Ball>& values, int bits) {
+namespace {
+
+/// Of what is no sum, product or quotient.
+Ball leaf_value(const Expr& e, const std::map<std::string, Ball>& values, int bits) {
   using Op = Expression::Op;
   const auto operand = [&](std::size_t i) { return ball_value(e->operands[i], values, bits); };
   switch (e->op) {
@@ -65,16 +69,6 @@ Ball ball_value(const Expr& e, const std::map<std::string, Ball>& values, int bi
       if (found == values.end()) throw Error("'" + e->name + "' has no value");
       return found->second;
     }
-    case Op::negate:
-      return -operand(0);
-    case Op::add:
-      return operand(0) + operand(1);
-    case Op::subtract:
-      return operand(0) - operand(1);
-    case Op::multiply:
-      return operand(0) * operand(1);
-    case Op::divide:
-      return operand(0) / operand(1);
     case Op::power: {
       const Expr& exponent = e->operands[1];
       std::int64_t n = 0;
@@ -90,6 +84,12 @@ Ball ball_value(const Expr& e, const std::map<std::string, Ball>& values, int bi
       break;
   }
   throw Error("this formula is not computed in balls");
+}
+
+}  // namespace
+
+Ball ball_value(const Expr& e, const std::map<std::string, Ball>& values, int bits) {
+  return arithmetic<Ball>(e, [&](const Expr& leaf) { return leaf_value(leaf, values, bits); });
 }
 
 }  // namespace shortfall

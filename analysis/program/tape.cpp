@@ -5,6 +5,7 @@
 #include <set>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/program/arithmetic.hpp"
 #include "analysis/program/function.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/suggest.hpp"
@@ -16,33 +17,28 @@ using Kind = Instruction::Kind;
 
 namespace {
 
-Rational value_of(const Expr& e, const Values& values) {
+Rational value_of(const Expr& e, const Values& values);
+
+/// Of what is no sum, product or quotient.
+Rational leaf_value(const Expr& e, const Values& values) {
   switch (e->op) {
     case Op::number:
       return e->value;
     case Op::name:
       return values.at(e->name);
-    case Op::negate:
-      return -value_of(e->operands[0], values);
-    case Op::add:
-      return value_of(e->operands[0], values) + value_of(e->operands[1], values);
-    case Op::subtract:
-      return value_of(e->operands[0], values) - value_of(e->operands[1], values);
-    case Op::multiply:
-      return value_of(e->operands[0], values) * value_of(e->operands[1], values);
-    case Op::divide:
-      return value_of(e->operands[0], values) / value_of(e->operands[1], values);
     case Op::power: {
       std::int64_t exponent = 0;
       value_of(e->operands[1], values).fits_int64(exponent);
       return value_of(e->operands[0], values).pow(static_cast<int>(exponent));
     }
-    case Op::call:
-    case Op::force:
-    case Op::sum:
+    default:
       break;
   }
   throw Error("a parameter's default is made of numbers and parameters");
+}
+
+Rational value_of(const Expr& e, const Values& values) {
+  return arithmetic<Rational>(e, [&](const Expr& leaf) { return leaf_value(leaf, values); });
 }
 
 bool mentions_a_name(const Expr& e) {

@@ -5,28 +5,22 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/problems/letters.hpp"
+#include "analysis/program/arithmetic.hpp"
 #include "analysis/stability/amplification.hpp"
 
 namespace shortfall {
 
 namespace {
 
-Rational value_of(const Expr& e, const Values& parameters) {
+Rational value_of(const Expr& e, const Values& parameters);
+
+/// Of what is no sum, product or quotient.
+Rational leaf_value(const Expr& e, const Values& parameters) {
   using Op = Expression::Op;
   const auto operand = [&](std::size_t i) { return value_of(e->operands[i], parameters); };
   switch (e->op) {
     case Op::number:
       return e->value;
-    case Op::negate:
-      return -operand(0);
-    case Op::add:
-      return operand(0) + operand(1);
-    case Op::subtract:
-      return operand(0) - operand(1);
-    case Op::multiply:
-      return operand(0) * operand(1);
-    case Op::divide:
-      return operand(0) / operand(1);
     case Op::power: {
       std::int64_t exponent = 0;
       if (operand(1).fits_int64(exponent) && exponent >= -1000 && exponent <= 1000)
@@ -40,6 +34,10 @@ Rational value_of(const Expr& e, const Values& parameters) {
       break;
   }
   throw Unable("an entry of the tableau is no rational number");
+}
+
+Rational value_of(const Expr& e, const Values& parameters) {
+  return arithmetic<Rational>(e, [&](const Expr& leaf) { return leaf_value(leaf, parameters); });
 }
 
 bool is_rational(const Tableau& tableau, const Values& parameters) {

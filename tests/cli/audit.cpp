@@ -1,65 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `shortfall audit` as a user meets it: what it says, its JSON, its exit codes.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "tests/cli/command.hpp"
 
 namespace shortfall {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string kData = std::string(SHORTFALL_SOURCE_DIR) + "/tests/data/";
-
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "shortfall-audit-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string text(const std::string& file) const {
-    std::ifstream in(path_ / file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void write(const std::string& file, const std::string& text) const { std::ofstream(path_ / file) << text; }
-
-  int code = 0;
-  std::string out, error;
-  void run(const std::string& arguments, const std::string& before = "") {
-    const std::string command = "cd '" + path_.string() + "' && " + before + " '" + SHORTFALL_BINARY +
-                                "' audit " + arguments + " >out 2>error";
-    code = WEXITSTATUS(std::system(command.c_str()));
-    out = text("out");
-    error = text("error");
-  }
-  nlohmann::json json(const std::string& arguments) {
-    run(arguments + " --json");
-    return nlohmann::json::parse(out);
-  }
-
- private:
-  fs::path path_;
-};
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 
 TEST_CASE("audit of a method whose claims hold ends with 0, and every claim is proved in the JSON") {
-  Folder f;
+  Asked f("audit");
   const auto json = f.json("'" + kData + "methods/dormand-prince-54.json'");
   CHECK(f.code == 0);
   CHECK(json["schema"] == "shortfall.audit/1");
@@ -73,7 +30,7 @@ TEST_CASE("audit of a method whose claims hold ends with 0, and every claim is p
 }
 
 TEST_CASE("audit of a misprint ends with 1, and says what is true and what was probably meant") {
-  Folder f;
+  Asked f("audit");
   const std::string file = "'" + kData + "misprints/fehlberg-45-numerator.json'";
   const auto json = f.json(file);
   CHECK(f.code == 1);
@@ -99,7 +56,7 @@ TEST_CASE("audit of a misprint ends with 1, and says what is true and what was p
 }
 
 TEST_CASE("decimals are never called proved") {
-  Folder f;
+  Asked f("audit");
   const auto json = f.json("'" + kData + "methods/tsitouras-54.json'");
   CHECK(f.code == 0);
   CHECK(json["exact"] == false);
@@ -113,7 +70,7 @@ TEST_CASE("decimals are never called proved") {
 TEST_CASE(
     "the order that an integrator is said to have is asked for with --order, and belongs to a class of "
     "forces") {
-  Folder f;
+  Asked f("audit");
   const std::string file = "'" + kData + "misprints/ruth3-time.integrator'";
   auto json = f.json(file + " --order 3");
   CHECK(f.code == 1);
@@ -131,7 +88,7 @@ TEST_CASE(
 }
 
 TEST_CASE("claims of an .integrator file are decided, and a slip in its step is mended") {
-  Folder f;
+  Asked f("audit");
   f.write("mine.integrator",
           "integrator mine\nstep\n  x = x + h/2*v\n  v = v - h*a(x, v, t + h/2)\n  x = x + h/2*v\n"
           "expect\n  exact 0\n  order 2 if a(x, t)\n");
@@ -149,7 +106,7 @@ TEST_CASE("claims of an .integrator file are decided, and a slip in its step is 
 }
 
 TEST_CASE("kicks that do not add up to 1 are mended without any claim") {
-  Folder f;
+  Asked f("audit");
   f.write("mine.integrator", "integrator mine\nsplitting\n  kick 1/2\n  drift 1\n  kick 7/5\n");
   const auto json = f.json("mine.integrator");
   CHECK(f.code == 1);
@@ -164,7 +121,7 @@ TEST_CASE("kicks that do not add up to 1 are mended without any claim") {
 }
 
 TEST_CASE("an integrator that is written as a tableau is audited entry by entry") {
-  Folder f;
+  Asked f("audit");
   f.write("mine.integrator",
           "integrator mine\ntableau\n  0 |\n  1/2 | 1/2\n  1/2 | 0 1/2\n  1 | 0 0 1\n  b | 1/6 1/3 1/3 1/5\n"
           "expect\n  order 4\n");
@@ -175,7 +132,7 @@ TEST_CASE("an integrator that is written as a tableau is audited entry by entry"
 }
 
 TEST_CASE("what cannot be audited is refused in one sentence, with the documented exit code") {
-  Folder f;
+  Asked f("audit");
   f.write("order50.json", R"({"A": [[1]], "b": [1], "order": 50})");
   f.run("order50.json");
   CHECK(f.code == 3);
@@ -205,7 +162,7 @@ TEST_CASE("what cannot be audited is refused in one sentence, with the documente
 }
 
 TEST_CASE("an order that needs more memory than allowed is not decided, and ends with 4") {
-  Folder f;
+  Asked f("audit");
   const auto json = f.json("'" + kData + "methods/prince-dormand-87-13m.json' --max-memory 20kB");
   CHECK(f.code == 4);
   bool undecided = false;
@@ -215,12 +172,12 @@ TEST_CASE("an order that needs more memory than allowed is not decided, and ends
 }
 
 TEST_CASE("a claim of order 20 that is false is refuted at once, within little memory") {
-  Folder f;
+  Asked f("audit");
   f.write("much.json",
           R"({"A": [[], ["1/2"], [0, "1/2"], [0, 0, 1], [0, 0, 0, 1], [0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 1],
     [0, 0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0, 0, 1], [0, 0, 0, 0, 0, 0, 0, 0, 1]],
     "b": ["1/6", "1/3", "1/3", "1/6", 0, 0, 0, 0, 0, 0], "order": 20})");
-  f.run("much.json", "ulimit -v 400000; timeout 20");
+  f.run("much.json", limited(400, 20));
   CHECK(f.code == 1);
   CHECK(contains(f.out, "refuted: order 4"));
   CHECK(contains(f.out, "order 4 instead of order 20"));
@@ -234,13 +191,13 @@ TEST_CASE("a claim of order 20 that is false is refuted at once, within little m
     weights += std::string(i > 0 ? ", " : "") + "\"1/24\"";
   }
   f.write("many.json", "{\"A\": [" + rows + "], \"b\": [" + weights + "], \"order\": 20}");
-  f.run("many.json", "ulimit -v 400000; timeout 20");
+  f.run("many.json", limited(400, 20));
   CHECK(f.code == 1);
   CHECK(contains(f.out, "order 1 instead of order 20"));
 }
 
 TEST_CASE("singular implicit tableaus are audited like others: their series exist") {
-  Folder f;
+  Asked f("audit");
   f.write("singular.json", R"({"A": [[1, -1], [1, -1]], "b": ["1/2", "1/2"], "order": 1, "A-stable": true})");
   f.run("singular.json");
   CHECK((f.code == 0 || f.code == 1));

@@ -11,6 +11,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 
 namespace shortfall {
 
@@ -58,6 +59,40 @@ class Folder {
  private:
   fs::path path_;
 };
+
+/// One command, asked again and again in a folder; what it answered last.
+class Asked : public Folder {
+ public:
+  explicit Asked(std::string command) : command_(std::move(command)) {}
+
+  int code = 0;
+  std::string out, error;
+  void run(const std::string& arguments, const std::string& before = "") {
+    const Outcome o = Folder::run(command_ + " " + arguments, before);
+    code = o.code;
+    out = o.out;
+    error = o.error;
+  }
+  /// Whatever its exit code.
+  nlohmann::json json(const std::string& arguments) {
+    run(arguments + " --json");
+    return nlohmann::json::parse(out);
+  }
+
+ private:
+  std::string command_;
+};
+
+/// Put before a command: it may take so much memory and time. The address sanitizer reserves far more memory
+/// than any command uses, so there only the time is limited.
+inline std::string limited(int megabytes, int seconds) {
+#ifdef __SANITIZE_ADDRESS__
+  (void)megabytes;
+  return "timeout " + std::to_string(10 * seconds);
+#else
+  return "ulimit -v " + std::to_string(1000 * megabytes) + "; timeout " + std::to_string(seconds);
+#endif
+}
 
 /// In an empty folder.
 inline Outcome run(const std::string& arguments) { return Folder().run(arguments); }

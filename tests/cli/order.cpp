@@ -1,67 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `shortfall order` as a user meets it: what it says, its JSON, its exit codes.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <chrono>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <string>
+
+#include "tests/cli/command.hpp"
 
 namespace shortfall {
 namespace {
 
-namespace fs = std::filesystem;
-
 const std::string kMethods = std::string(SHORTFALL_SOURCE_DIR) + "/tests/data/methods/";
-
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "shortfall-order-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string text(const std::string& file) const {
-    std::ifstream in(path_ / file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void write(const std::string& file, const std::string& text) const { std::ofstream(path_ / file) << text; }
-
-  int code = 0;
-  std::string out, error;
-  void run(const std::string& arguments, const std::string& before = "",
-           const std::string& command = "order") {
-    const std::string line = "cd '" + path_.string() + "' && " + before + " '" + SHORTFALL_BINARY + "' " +
-                             command + " " + arguments + " >out 2>error";
-    code = WEXITSTATUS(std::system(line.c_str()));
-    out = text("out");
-    error = text("error");
-  }
-  nlohmann::json json(const std::string& arguments) {
-    run(arguments + " --json");
-    return nlohmann::json::parse(out);
-  }
-
- private:
-  fs::path path_;
-};
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
 
 }  // namespace
 
 TEST_CASE("order answers first, in one line") {
-  Folder f;
+  Asked f("order");
   f.run("forest-ruth");
   CHECK(f.code == 0);
   CHECK(f.out.starts_with(
@@ -76,7 +31,7 @@ TEST_CASE("order answers first, in one line") {
 }
 
 TEST_CASE("the JSON of order has the orders, the proof, and the first errors exactly and as decimals") {
-  Folder f;
+  Asked f("order");
   const auto json = f.json("rk4");
   CHECK(f.code == 0);
   CHECK(json["schema"] == "shortfall.order/1");
@@ -105,7 +60,7 @@ TEST_CASE("the JSON of order has the orders, the proof, and the first errors exa
 }
 
 TEST_CASE("printed decimals are never called proved") {
-  Folder f;
+  Asked f("order");
   const auto json = f.json("pefrl");
   CHECK(json["proved"] == false);
   CHECK(json["digits"].get<int>() >= 10);
@@ -118,7 +73,7 @@ TEST_CASE("printed decimals are never called proved") {
 }
 
 TEST_CASE("one class of forces alone") {
-  Folder f;
+  Asked f("order");
   auto json = f.json("mclachlan-atela-4 --force separable");
   CHECK(json["class"] == "separable");
   CHECK(json["order"] == 3);
@@ -137,7 +92,7 @@ TEST_CASE("one class of forces alone") {
 }
 
 TEST_CASE("tableau files are read, and parameters taken") {
-  Folder f;
+  Asked f("order");
   auto json = f.json("'" + kMethods + "fehlberg-45.json'");
   CHECK(json["order"] == 4);
   CHECK(json["embedded_order"] == 5);
@@ -146,7 +101,7 @@ TEST_CASE("tableau files are read, and parameters taken") {
 }
 
 TEST_CASE("more trees than fit end with 4, say so, and do not take the memory") {
-  Folder f;
+  Asked f("order");
   f.run("gauss6 --max-memory 20kB");
   CHECK(f.code == 4);
   CHECK(contains(f.out, "at least 6"));
@@ -159,10 +114,8 @@ TEST_CASE("more trees than fit end with 4, say so, and do not take the memory") 
   CHECK(f.code == 4);
   CHECK(f.out.empty());
   CHECK(contains(f.error, "no order of gauss6 is decided"));
-  const auto begin = std::chrono::steady_clock::now();
-  f.run("gauss6 --highest 50", "ulimit -v 400000; timeout 60");
+  f.run("gauss6 --highest 50", limited(400, 60));
   CHECK(f.code == 0);
-  CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(50));
   for (const char* wrong :
        {"--highest 0", "--highest 101", "--highest x", "--max-memory much", "--max-memory -3"}) {
     f.run("rk4 " + std::string(wrong));
@@ -173,7 +126,7 @@ TEST_CASE("more trees than fit end with 4, say so, and do not take the memory") 
 }
 
 TEST_CASE("what the first order is not reached by is named") {
-  Folder f;
+  Asked f("order");
   f.write("wrong.integrator",
           "integrator wrong\n  source nobody\n\nstep\n  v = v + h/2*a(x, v, t)\n  x = x + h*v\n");
   const auto json = f.json("wrong.integrator");
@@ -189,19 +142,18 @@ TEST_CASE("what the first order is not reached by is named") {
 TEST_CASE(
     "a claim about orders that is wrong is refuted with what is true; one that is only not contradicted is "
     "not called proved") {
-  Folder f;
+  Asked f("order");
   const std::string head =
       "integrator mine\n  source nobody\n\nstep\n  v = v + h*a(x, v, t)\n  x = x + h*v\n\nexpect\n";
   f.write("mine.integrator", head + "  order 2\n  symmetric\n  symplectic\n  order 1 if T(p) + V(q)\n");
-  f.run("mine.integrator", "", "show");
-  CHECK(f.code == 1);
-  CHECK(contains(f.out, "order 2: REFUTED, found order 1"));
-  CHECK(contains(f.out, "symmetric: REFUTED, found not symmetric: step and adjoint differ in h^2"));
-  CHECK(contains(f.out, "symplectic: holds\n"));
-  CHECK(contains(f.out, "order 1 if T(p) + V(q): holds"));
+  const Outcome shown = f.Folder::run("show mine.integrator");
+  CHECK(shown.code == 1);
+  CHECK(contains(shown.out, "order 2: REFUTED, found order 1"));
+  CHECK(contains(shown.out, "symmetric: REFUTED, found not symmetric: step and adjoint differ in h^2"));
+  CHECK(contains(shown.out, "symplectic: holds\n"));
+  CHECK(contains(shown.out, "order 1 if T(p) + V(q): holds"));
   // Kick-drift-kick, with a wrong first kick: symmetric from the second step on, which only trees tell.
-  f.run("stoermer-verlet-wrong-start --json", "", "order");
-  const auto json = nlohmann::json::parse(f.out);
+  const auto json = f.json("stoermer-verlet-wrong-start");
   CHECK(json["symmetric"]["verdict"] == "not contradicted");
   CHECK(json["symmetric"]["trees_up_to"].get<int>() > 0);
 }

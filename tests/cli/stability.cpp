@@ -1,69 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `shortfall stability` as a user meets it: what it says, its JSON, its pictures, its exit codes.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "analysis/program/catalogue.hpp"
 #include "analysis/stability/stability.hpp"
+#include "tests/cli/command.hpp"
 
 namespace shortfall {
-namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder of its own for each case, and what a command said in it.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "shortfall-stability-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string text(const std::string& file) const {
-    std::ifstream in(path_ / file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void write(const std::string& file, const std::string& text) const { std::ofstream(path_ / file) << text; }
-  bool has(const std::string& file) const { return fs::exists(path_ / file); }
-
-  int code = 0;
-  std::string out, error;
-  void run(const std::string& arguments, const std::string& before = "") {
-    const std::string command = "cd '" + path_.string() + "' && " + before + " '" + SHORTFALL_BINARY +
-                                "' stability " + arguments + " >out 2>error";
-    code = WEXITSTATUS(std::system(command.c_str()));
-    out = text("out");
-    error = text("error");
-  }
-  nlohmann::json json(const std::string& arguments) {
-    run(arguments + " --json");
-    REQUIRE(code == 0);
-    return nlohmann::json::parse(out);
-  }
-
- private:
-  fs::path path_;
-};
-
-bool contains(const std::string& text, const std::string& part) {
-  return text.find(part) != std::string::npos;
-}
-
-}  // namespace
 
 TEST_CASE("the limit: exact, 50 digits, an isolating interval, and what happens there") {
-  Folder f;
+  Asked f("stability");
   f.run("rk4");
   CHECK(f.code == 0);
   CHECK(contains(f.out, "z = 2 √2 = 2.8284271247461900976033774484193961571393437507539"));
@@ -77,7 +27,7 @@ TEST_CASE("the limit: exact, 50 digits, an isolating interval, and what happens 
 }
 
 TEST_CASE("parameters: given ones are numbers, the others stay letters in the formulas") {
-  Folder f;
+  Asked f("stability");
   f.run("newmark --param beta=0 --param gamma=1/2");
   CHECK(contains(f.out, "limit         z = 2\n"));
   CHECK(contains(f.out, "x grows linearly, unless v₀ = 0; v stays bounded"));
@@ -88,7 +38,7 @@ TEST_CASE("parameters: given ones are numbers, the others stay letters in the fo
 }
 
 TEST_CASE("plain ASCII is plain ASCII") {
-  Folder f;
+  Asked f("stability");
   for (const char* name : {"rk4", "ruth3", "newmark", "implicit-euler", "adams-bashforth-2"}) {
     f.run(std::string(name) + " --ascii");
     CHECK(f.code == 0);
@@ -97,7 +47,7 @@ TEST_CASE("plain ASCII is plain ASCII") {
 }
 
 TEST_CASE("JSON: the fields that other programs rely on") {
-  Folder f;
+  Asked f("stability");
   const auto verlet = f.json("velocity-verlet");
   CHECK(verlet["schema"] == "shortfall.stability/1");
   CHECK(verlet["integrator"] == "velocity-verlet");
@@ -132,7 +82,7 @@ TEST_CASE("JSON: the fields that other programs rely on") {
 
 TEST_CASE(
     "JSON of every integrator parses, and every irrational has a formula or a polynomial, and 50 digits") {
-  Folder f;
+  Asked f("stability");
   for (const Program& p : catalogue()) {
     CAPTURE(p.name);
     // Engines are asked without their damping, which is a number a second.
@@ -150,7 +100,7 @@ TEST_CASE(
 }
 
 TEST_CASE("bad input: one sentence each, and the exit code") {
-  Folder f;
+  Asked f("stability");
   const auto said = [&](const std::string& arguments, int code, const std::string& part) {
     CAPTURE(arguments);
     f.run(arguments);
@@ -182,7 +132,7 @@ TEST_CASE("bad input: one sentence each, and the exit code") {
 }
 
 TEST_CASE("pictures by the ending of their name; without gnuplot a clear sentence") {
-  Folder f;
+  Asked f("stability");
   f.run("rk4 --plot rk4.svg", "PATH=/nowhere");
   CHECK(f.code == 5);
   CHECK(contains(f.error, "gnuplot is not installed"));

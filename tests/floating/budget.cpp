@@ -3,9 +3,11 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <random>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/floating/rounding_bound.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/parse.hpp"
 
@@ -97,6 +99,13 @@ TEST_CASE("each part is what its name says") {
   CHECK(term(b.lines[0], "method").value.is_zero());
   CHECK(b.lines[0].observed.is_zero());
   CHECK_FALSE(b.differs_at.has_value());
+  CHECK(b.compared == 100);
+  // Exact for a while, and not for ever: 1/64 s of 8 m/s^2, in 11 bits.
+  q.v0 = Rational(5, 2);
+  b = budget(float_format("f16"), q, 100);
+  REQUIRE(b.differs_at.has_value());
+  CHECK(*b.differs_at > 1);
+  CHECK(term(budget(float_format("f16"), q, *b.differs_at - 1).lines[0], "rounding").value.is_zero());
   // The method's part does not depend on the format, and is -a h t / 2 for symplectic Euler.
   q = question("symplectic-euler", "constant:a=-9", Rational(1, 50));
   for (const char* format : {"f16", "f32", "mpfr:40"}) {
@@ -111,6 +120,19 @@ TEST_CASE("each part is what its name says") {
     const double rounding = std::abs(term(b.lines[0], "rounding").value.to_double());
     CHECK(rounding < last / 4);
     last = rounding;
+  }
+}
+
+TEST_CASE("the bound of rounding looks at the start, too, where x and v may be largest") {
+  FloatQuestion q = question("symplectic-euler", "drag:a=0,c=9", Rational(1, 10));
+  q.x0 = 0;
+  q.v0 = 1000;
+  const FloatFormat format = float_format("f32");
+  for (int steps : {1, 2, 10}) {
+    const Budget b = budget(format, q, steps);
+    REQUIRE(b.rounding_bound.has_value());
+    CHECK(*b.rounding_bound >= *rounding_bound(format, b.stored, steps, 0, 1000));
+    CHECK(std::abs(term(b.lines[0], "rounding").value.to_double()) <= *b.rounding_bound);
   }
 }
 

@@ -42,11 +42,6 @@ class PlaneField {
 
   /// f at another place, h^(order + 1) and more left out.
   Vector at(const Vector& place) const { return {composed(f_[0], place), composed(f_[1], place)}; }
-  static Vector composed(const Vector& g, const Vector& place, int order) {
-    const PlaneField field(g, order);
-    return field.at(place);
-  }
-
   Polynomial truncated(const Polynomial& p) const {
     Polynomial result;
     for (int k = 0; k <= order_; ++k) result += p.coefficient(kStep, k) * Polynomial::letter(kStep).pow(k);
