@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "analysis/floating/budget.hpp"
-#include "analysis/floating/clock.hpp"
+#include "analysis/floating/tracked.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "bench/harness/interleaved.hpp"
 
@@ -39,17 +39,41 @@ Contender ours(const char* format) {
   });
 }
 
+/// The step as the file has it, in native code; T may be a number that tracks its error.
+template <class T, class Native>
+[[gnu::always_inline]] inline void steps_by_hand() {
+  volatile Native start = 1;
+  const T h(start / Native(50)), k(start);
+  T x(start), v(start - 1);
+  for (int n = 0; n < kSteps; ++n) {
+    v = v + h * -(k * x);
+    x = x + h * v;
+  }
+  bench::keep(x);
+}
+
 template <class T>
 Contender by_hand(const char* name) {
-  return here(name, [] {
-    const T h = T(1) / T(50), k = 1;
-    volatile T start = 1;
-    T x = start, v = 0;
-    for (int n = 0; n < kSteps; ++n) {
-      v = v + h * -(k * x);
-      x = x + h * v;
-    }
-    bench::keep(x);
+  return here(name, [] { steps_by_hand<T, T>(); });
+}
+
+// Fused multiply-adds as instructions, as a program has that wants them; both are compiled alike.
+#if defined(__x86_64__)
+#define SHORTFALL_WITH_FMA [[gnu::target("fma,avx2")]]
+bool has_fma() { return __builtin_cpu_supports("fma") != 0 && __builtin_cpu_supports("avx2") != 0; }
+#else
+#define SHORTFALL_WITH_FMA
+bool has_fma() { return true; }
+#endif
+SHORTFALL_WITH_FMA void plain_steps() { steps_by_hand<double, double>(); }
+SHORTFALL_WITH_FMA void tracked_steps() { steps_by_hand<Tracked<double>, double>(); }
+
+Contender tracked(const char* format) {
+  const std::shared_ptr<FloatRun> run = tracked_run(float_format(format), spring());
+  return here(format, [run] {
+    run->begin();
+    for (int n = 0; n < kSteps; ++n) run->step();
+    bench::keep(run->rough());
   });
 }
 
@@ -76,9 +100,9 @@ Contender raw_mpfr(int digits) {
   });
 }
 
-void compare(const char* what, const std::vector<Contender>& pair) {
+void compare(const char* what, const std::vector<Contender>& pair, const char* beside = "by hand") {
   const std::vector<double> times = bench::least_times(pair, kRounds, 0.01);
-  std::printf("  %-28s %9s a step, by hand %9s: %.2f times\n", what, time_text(times[0] / kSteps).c_str(),
+  std::printf("  %-28s %9s a step, %s %9s: %.2f times\n", what, time_text(times[0] / kSteps).c_str(), beside,
               time_text(times[1] / kSteps).c_str(), times[0] / times[1]);
   std::fflush(stdout);
 }
@@ -95,6 +119,12 @@ int main() {
   compare("binary128", {ours("f128"), by_hand<__float128>("__float128")});
   compare("MPFR, 50 digits", {ours("mpfr:50"), raw_mpfr(50)});
   compare("MPFR, 1000 digits", {ours("mpfr:1000"), raw_mpfr(1000)});
+  std::printf(
+      "The same with its accumulated rounding error tracked beside it, the trajectory bit for bit the "
+      "same\n");
+  if (has_fma()) compare("binary64, native", {here("", tracked_steps), here("", plain_steps)}, "plain");
+  compare("binary64, interpreted", {tracked("f64"), ours("f64")}, "plain");
+  compare("binary32, interpreted", {tracked("f32"), ours("f32")}, "plain");
   std::printf("Budgets\n");
   const FloatQuestion q = spring();
   for (const char* format : {"f32", "f64"}) {

@@ -2,6 +2,7 @@
 #include "cli/float_question.hpp"
 
 #include "analysis/algebra/error.hpp"
+#include "cli/correct_general.hpp"
 #include "cli/quantity.hpp"
 
 namespace shortfall::cli {
@@ -27,6 +28,14 @@ FloatQuestion float_question(const FloatOptions& o) {
   q.program = o.program();
   q.parameters = o.values();
   q.substeps = o.substeps();
+  if (is_force_class(o.force) || o.force.starts_with("expr:"))
+    throw Unable(
+        "under the force " + o.force.substr(0, 60) +
+        " neither the map nor the motion is known exactly, so there is nothing that floating point can be "
+        "held "
+        "to. Give the force that it is nearby, linear in x and v (--force spring:k=4, "
+        "damped-spring:k=4,c=1/2, drag:a=-9.81,c=1/10); what the method does under every smooth force say "
+        "shortfall order and shortfall modified");
   q.force = force_named(o.force);
   if (q.force.degree == 0 && !q.force.push.contains(0)) q.force.push[0] = -o.gravity();
   for (int d = 0; d <= q.force.degree; ++d)

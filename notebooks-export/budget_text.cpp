@@ -10,29 +10,33 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kDigits = 9;  // shown
+constexpr int kDigits = 9;     // shown
+constexpr int kFewDigits = 4;  // of what would be
 
 struct Scale {
   const char* unit;
   int exponent;  ///< of ten: shown = value * 10^exponent
 };
 
-/// A unit in which lengths are read easily.
+/// A unit in which lengths and times are read easily.
 Scale scale_for(const std::vector<Budget>& budgets, std::size_t line) {
   double largest = 0;
+  bool time = false;
   for (const Budget& b : budgets)
     if (line < b.lines.size()) {
-      if (b.lines[line].unit != "m") return {b.lines[line].unit.c_str(), 0};
+      time = b.lines[line].unit == "s";
+      if (!time && b.lines[line].unit != "m") return {b.lines[line].unit.c_str(), 0};
       largest = std::max(largest, std::abs(b.lines[line].observed.to_double()));
     }
-  if (largest == 0 || largest >= 0.5) return {"m", 0};
-  return largest >= 5e-7 ? Scale{"mm", 3} : Scale{"nm", 9};
+  if (largest == 0 || largest >= 0.5) return {time ? "s" : "m", 0};
+  if (largest >= 5e-7) return {time ? "ms" : "mm", 3};
+  return {time ? "ns" : "nm", 9};
 }
 
-std::string shown(const Ball& value, const Scale& scale) {
+std::string shown(const Ball& value, const Scale& scale, int digits = kDigits) {
   const Ball scaled = value * Ball(Rational(10).pow(scale.exponent), value.bits());
   if (scaled.is_zero()) return "0";
-  if (const auto text = scaled.significant(kDigits)) return *text;
+  if (const auto text = scaled.significant(digits)) return *text;
   return "0 +- " + scaled.radius();
 }
 
@@ -68,6 +72,12 @@ std::string table(const std::vector<std::vector<std::string>>& rows) {
 std::string quantity_words(const Budget& b, const BudgetLine& l) {
   if (l.quantity == "peak")
     return "The highest frame (" + std::to_string(b.steps) + "), against the height asked for";
+  if (l.quantity == "landing")
+    return "The time of landing, between frames " + std::to_string(b.steps - 1) + " and " +
+           std::to_string(b.steps) + ", against the true one";
+  if (l.quantity == "period")
+    return "The period, over " + (b.periods == 1 ? "one" : std::to_string(b.periods)) +
+           " of them, against the true one";
   const std::string after = " after " + std::to_string(b.steps) + " steps";
   if (l.quantity == "energy") return "Energy per mass" + after;
   return l.quantity + after;
@@ -81,17 +91,89 @@ std::string largest_part(const Budget& b) {
   return largest && !largest->value.is_zero() ? largest->name : "";
 }
 
-/// What can be done about it.
-std::string remedy(const std::string& part, const std::string& integrator) {
-  if (part == "method")
-    return "a smaller step or a correction mends that (shortfall correct " + integrator +
-           "), a wider format does not";
-  if (part == "representation")
-    return "a step and constants that the format holds exactly (h = 1/64, 1/128) mend that, or a wider "
-           "format";
-  if (part == "rounding")
-    return "compensated sums (+kahan) or a wider format mend that; a smaller step makes it worse";
-  return "a launch that puts the peak on a frame mends that (shortfall jump says which)";
+/// What can be done about a part besides.
+std::string mend(const std::string& part, const FloatQuestion& q) {
+  if (part == "method") {
+    const bool plain = q.force.text == "constant";
+    return "a correction (shortfall correct " + q.program.name + (plain ? "" : " --force " + q.force.text) +
+           "); a wider format mends nothing";
+  }
+  if (part == "representation") return "a step that the format holds exactly (1/64 s, 1/128 s)";
+  if (part == "rounding") return "a wider format; a smaller step makes it worse";
+  return "a launch that puts the peak on a frame (shortfall jump says which)";
+}
+
+/// "  method          dt = 1/100 s leaves 28.449 mm; or ..."
+std::string remedies_text(const std::vector<Budget>& budgets, const Scale& scale) {
+  const Budget* first = nullptr;
+  for (const Budget& b : budgets)
+    if (!first && !b.lines.empty()) first = &b;
+  if (!first) return "";
+  std::string text;
+  for (const BudgetTerm& t : first->lines[0].terms) {
+    // Method and sampling are the same whatever the format.
+    const bool of_format = t.name == "representation" || t.name == "rounding";
+    std::string line;
+    for (const Budget& b : budgets)
+      for (const BudgetRemedy& r : b.remedies) {
+        if (r.term != t.name || (!of_format && !line.empty())) continue;
+        line += (line.empty() ? "" : "; ") + (of_format ? b.format.name() + ": " : "") + r.change +
+                ", then " + shown(r.becomes, scale, kFewDigits) +
+                (r.becomes.is_zero() ? "" : std::string(" ") + scale.unit);
+      }
+    const bool any = std::ranges::any_of(budgets, [&](const Budget& b) {
+      return !b.lines.empty() && std::ranges::any_of(b.lines[0].terms, [&](const BudgetTerm& other) {
+        return other.name == t.name && !other.value.is_zero();
+      });
+    });
+    if (!any) continue;
+    const bool known = t.name != "sampling" || first->lines[0].quantity == "peak";
+    text += "  " + t.name + std::string(16 - t.name.size(), ' ') + line;
+    if (known) text += (line.empty() ? "" : "; or ") + mend(t.name, first->question);
+    text += "\n";
+  }
+  return text.empty() ? "" : "\nWhat mends it, " + first->lines[0].quantity + "\n" + text;
+}
+
+/// "step 3, line 9: x = x + h*v"
+std::string place_words(const FirstDifference::Rounding& r) {
+  std::string text = r.step == 0 ? "at the start" : "in step " + std::to_string(r.step);
+  if (r.read_out) text = "in what is reported after step " + std::to_string(r.step);
+  if (r.line > 0) text += ", line " + std::to_string(r.line);
+  return r.statement.empty() ? text : text + ": " + r.statement;
+}
+
+std::string difference_words(const Budget& b) {
+  const FirstDifference& d = b.difference;
+  if (!d.rounding)
+    return d.compared == 0 ? ""
+                           : "  " + b.format.name() + ": no rounding at all in the first " +
+                                 std::to_string(d.compared) + " steps\n";
+  std::string text = "  " + b.format.name() + ": the first rounding is " + place_words(*d.rounding);
+  if (d.reported && *d.reported != d.rounding->step)
+    text += "; x and v show none before step " + std::to_string(*d.reported);
+  return text + "\n";
+}
+
+std::string tracked_words(const Budget& b) {
+  if (!b.tracked) return "";
+  const double tracked = b.tracked->first;
+  std::string text = "  " + b.format.name() + ": rounding of x as tracked beside the run, ";
+  std::array<char, 32> number{};
+  std::snprintf(number.data(), number.size(), "%.6g", tracked);
+  text += std::string(number.data()) + " m";
+  const auto exact = std::ranges::find(b.lines[0].terms, "rounding", &BudgetTerm::name);
+  if (exact == b.lines[0].terms.end()) return text + "\n";
+  const double off = (exact->value - Ball(Rational::from_double(tracked), exact->value.bits())).to_double();
+  if (off == 0) return text + ": exactly the part above\n";
+  const double digits = std::floor(-std::log10(std::abs(off / exact->value.to_double())));
+  return text + ": the part above to " + std::to_string(static_cast<int>(std::max(digits, 0.0))) +
+         " digits\n";
+}
+
+nlohmann::ordered_json as_json(const std::optional<FirstDifference::Rounding>& r) {
+  if (!r) return nullptr;
+  return {{"step", r->step}, {"line", r->line}, {"statement", r->statement}, {"read_out", r->read_out}};
 }
 
 nlohmann::ordered_json as_json(const Ball& b) {
@@ -126,11 +208,11 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
         head = quantity_words(b, l) + ", in " + scale.unit;
         rows.push_back({"format", "observed"});
         for (const BudgetTerm& t : l.terms) rows[0].push_back(t.name);
-        if (i == 0) rows[0].push_back("rounding at most");
+        if (l.quantity == "x") rows[0].push_back("rounding at most");
       }
       std::vector<std::string> row{b.format.name(), shown(l.observed, scale)};
       for (const BudgetTerm& t : l.terms) row.push_back(shown(t.value, scale));
-      if (i == 0) {
+      if (l.quantity == "x") {
         row.push_back(b.rounding_bound ? rounded_up(*b.rounding_bound * std::pow(10.0, scale.exponent))
                                        : "-");
       }
@@ -140,17 +222,13 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
   }
   text += "\n";
   for (const Budget& b : budgets) {
-    if (b.differs_at)
-      text += "  " + b.format.name() + ": the first rounding that is seen is in step " +
-              std::to_string(*b.differs_at) + "\n";
-    else if (b.compared > 0)
-      text += "  " + b.format.name() + ": no rounding at all in the first " + std::to_string(b.compared) +
-              " steps\n";
+    text += difference_words(b);
     if (b.not_finite_at) {
       text += "  " + b.format.name() + ": no longer a finite number from step " +
               std::to_string(*b.not_finite_at) + " on; there is no budget\n";
       continue;
     }
+    text += tracked_words(b);
     for (const BudgetLine& l : b.lines)
       if (!l.closes())
         text += "  " + b.format.name() + ", " + l.quantity +
@@ -161,9 +239,7 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
     for (const Budget& b : budgets)
       if (!b.lines.empty() && largest_part(b) == part)
         formats += (formats.empty() ? "" : ", ") + b.format.name();
-    if (!formats.empty())
-      text += "  " + formats + ": most of it is " + part + "; " +
-              remedy(part, budgets[0].question.program.name) + "\n";
+    if (!formats.empty()) text += "  " + formats + ": most of it is " + part + "\n";
   }
   const bool all = std::ranges::all_of(budgets, [](const Budget& b) {
     return b.not_finite_at || std::ranges::all_of(b.lines, [](const BudgetLine& l) { return l.closes(); });
@@ -172,7 +248,7 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
     text +=
         "  the parts add up to what is observed: the residual holds 0 and is narrower than 1e-40 of it; the "
         "digits shown are certain\n";
-  return text;
+  return text + remedies_text(budgets, scale_for(budgets, 0));
 }
 
 nlohmann::ordered_json as_json(const std::vector<Budget>& budgets) {
@@ -200,11 +276,17 @@ nlohmann::ordered_json as_json(const std::vector<Budget>& budgets) {
       quantity["closes"] = l.closes();
       one["quantities"].push_back(std::move(quantity));
     }
+    if (b.periods > 0) one["periods"] = b.periods;
+    one["remedies"] = nlohmann::ordered_json::array();
+    for (const BudgetRemedy& r : b.remedies)
+      one["remedies"].push_back({{"term", r.term}, {"change", r.change}, {"becomes", as_json(r.becomes)}});
     one["rounding_bound"] =
         b.rounding_bound ? nlohmann::ordered_json(*b.rounding_bound) : nlohmann::ordered_json(nullptr);
-    one["compared_steps"] = b.compared;
-    one["differs_at"] =
-        b.differs_at ? nlohmann::ordered_json(*b.differs_at) : nlohmann::ordered_json(nullptr);
+    one["rounding_tracked"] =
+        b.tracked ? nlohmann::ordered_json{{"x", b.tracked->first}, {"v", b.tracked->second}} : nullptr;
+    one["compared_steps"] = b.difference.compared;
+    one["differs_at"] = b.difference.reported ? nlohmann::ordered_json(*b.difference.reported) : nullptr;
+    one["first_rounding"] = as_json(b.difference.rounding);
     json["budgets"].push_back(std::move(one));
   }
   return json;
@@ -228,7 +310,9 @@ Figure budget_figure(const std::vector<Budget>& budgets, const std::string& titl
     Figure::Panel panel;
     panel.title = b.format.words();
     panel.note = "exact minus computed; the last is their sum";
-    panel.y.label = l.quantity == "peak" ? "too low by" : "shortfall of " + l.quantity;
+    panel.y.label = l.quantity == "peak"                                ? "too low by"
+                    : l.quantity == "landing" || l.quantity == "period" ? l.quantity + " too short by"
+                                                                        : "shortfall of " + l.quantity;
     panel.y.unit = scale.unit;
     panel.x.low = 0;
     panel.x.high = static_cast<double>(l.terms.size()) + 1;

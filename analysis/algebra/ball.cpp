@@ -11,6 +11,7 @@
 #include "analysis/algebra/decimal.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/gmp.hpp"
+#include "analysis/algebra/pi.hpp"
 
 namespace shortfall {
 
@@ -291,6 +292,12 @@ Rational Ball::midpoint() const {
   fmpq_get_mpq(result.get_mpq_t(), exact);
   fmpq_clear(exact);
   return rational(std::move(result));
+}
+
+Ball pi(int bits) {
+  Ball result(0, bits);
+  arb_const_pi(raw(result), bits);
+  return result;
 }
 
 }  // namespace shortfall

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/pi.hpp"
 #include "analysis/motion/ball_flow.hpp"
 #include "analysis/motion/ball_formula.hpp"
 #include "analysis/motion/own_equation.hpp"
@@ -15,19 +16,6 @@ namespace shortfall {
 namespace {
 
 constexpr int kBits = 320;
-
-Ball pi() {
-  // Machin (1706): pi/4 = 4 atan(1/5) - atan(1/239).
-  const auto atan_inverse = [](int q) {
-    Rational sum, power = Rational(1, q);
-    for (int j = 0; j < 240; ++j, power = power / Rational(q * q))
-      sum += (j % 2 ? -power : power) / Rational(2 * j + 1);
-    return sum;
-  };
-  const Rational value = (atan_inverse(5) * 4 - atan_inverse(239)) * 4;
-  const Ball middle(value, kBits), width(Rational(1, 10).pow(330), kBits);
-  return hull(middle - width, middle + width);
-}
 
 /// The angle in (0, pi) of cosine and (positive) sine: by Newton's method on the sine and cosine of Ball.
 Ball angle(const Ball& cosine, const Ball& sine) {
@@ -54,7 +42,7 @@ EffectiveSpring effective(const Ball& trace, const Ball& determinant, const Rati
     const Ball theta = angle(cosine, sqrt(one - cosine * cosine)) / step;
     const Ball omega = sqrt(rate * rate + theta * theta);
     e.growth = exp(-rate);
-    e.frequency = omega / (two * pi());
+    e.frequency = omega / (two * pi(kBits));
     e.damping_ratio = rate / omega;
     const Ball excess = determinant - one;
     if (const auto sign = excess.sign()) e.stable = *sign <= 0;
@@ -70,7 +58,7 @@ EffectiveSpring effective(const Ball& trace, const Ball& determinant, const Rati
 }  // namespace
 
 void set_spring(SpringQuestion& q, const Rational& frequency, const Rational& damping_ratio) {
-  const Ball omega = Ball(frequency * 2, kBits) * pi();
+  const Ball omega = Ball(frequency * 2, kBits) * pi(kBits);
   const auto rounded = [](const Ball& b) {
     return b.is_zero() ? Rational() : Rational::parse(b.midpoint().significant(60));
   };

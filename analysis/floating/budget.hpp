@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/algebra/ball.hpp"
+#include "analysis/floating/first_difference.hpp"
 #include "analysis/floating/float_run.hpp"
 #include "analysis/program/progress.hpp"
 
@@ -19,10 +21,17 @@ struct BudgetTerm {
   Ball value;
 };
 
+/// Something that can be changed, and what a term of the first line is then.
+struct BudgetRemedy {
+  std::string term;
+  std::string change;  ///< "dt = 1/100 s", "f32+kahan"
+  Ball becomes;        ///< computed with the change, not estimated
+};
+
 /// The error of one quantity and its parts.
 struct BudgetLine {
-  std::string quantity;  ///< "x", "v", "energy", "peak"
-  std::string unit;      ///< "m"
+  std::string quantity;  ///< "x", "v", "energy", "peak", "landing", "period"
+  std::string unit;      ///< "m", "m/s", "m^2/s^2", "s"
   FloatNumber computed;  ///< by the run
   Ball truth;
   Ball observed;  ///< truth - computed, from a run and a truth of their own; no part is a remainder
@@ -35,18 +44,22 @@ struct BudgetLine {
 
 /// Where a floating-point error comes from: the method (its exact map against the exact motion), the
 /// representation (the constants, stored in the format), rounding (the run against the same map, run exactly
-/// on the stored constants) and, for a peak, sampling (the exact motion at the frame against its highest
-/// point).
+/// on the stored constants) and, for what is read off frames (a peak, a landing, a period), sampling (the
+/// exact motion seen at its frames against the exact motion).
 struct Budget {
   FloatFormat format;
   FloatQuestion question;
   FloatQuestion stored;
   std::int64_t steps = 0;
+  int periods = 0;  ///< over which a period is measured
   std::vector<BudgetLine> lines{};
-  /// How many steps were compared with the exact map of the stored constants, and the first one after which
-  /// the run is not that; none when all that were compared are. Irrational coefficients: 0 are compared.
-  std::int64_t compared = 0;
-  std::optional<std::int64_t> differs_at{};
+  std::vector<BudgetRemedy> remedies{};
+  /// Where the run first is not the exact map of its stored constants; irrational coefficients: 0 steps are
+  /// compared.
+  FirstDifference difference{};
+  /// Rounding in x and v (of a peak: in x at the frame), as tracked beside the second run, rounded to
+  /// binary64; none for formats that are not tracked.
+  std::optional<std::pair<double, double>> tracked{};
   /// Rounding is at most this in x, in m: a bound from one step's roundings and the powers of its matrix,
   /// with the largest x and v of the run. None for implicit steps, and formats without one rounding an
   /// operation.
@@ -67,6 +80,23 @@ Budget budget(const FloatFormat& format, const FloatQuestion& question, std::int
 /// and v0 are not looked at.
 Budget peak_budget(const FloatFormat& format, const FloatQuestion& question, const Rational& height,
                    const Rational& g, const Progress& progress = {});
+
+/// The budget of the time at which such a jump is back at the ground: the first frame that is not above it,
+/// and between that and the one before a straight line.
+///
+/// throws  Unable  where something never leaves the ground, or does not come back in three flights
+Budget landing_budget(const FloatFormat& format, const FloatQuestion& question, const Rational& height,
+                      const Rational& g, const Progress& progress = {});
+
+/// The budget of an oscillation's period: the time from the first passing through the level where the spring
+/// is at rest to the one 2 * periods later, divided by their number; passings are read as landings are.
+///
+/// throws  Unable  for other forces than a spring with or without damping and constant push, and with less
+/// than two
+///                 frames a period;  Undefined  when nothing oscillates
+Budget period_budget(const FloatFormat& format, const FloatQuestion& question, int periods,
+                     const Progress& progress = {});
+inline constexpr int kMostPeriods = 100'000;
 
 /// So many steps can be run; more would take longer than anybody waits.
 inline constexpr std::int64_t kMostFloatSteps = 2'000'000'000;

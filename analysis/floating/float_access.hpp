@@ -36,5 +36,7 @@ T stored_as(const Rational& value, const BinaryFormat& format, Rounding rounding
 std::unique_ptr<FloatRun> small_float_run(const FloatFormat& format, const FloatQuestion& question);
 std::unique_ptr<FloatRun> native_float_run(const FloatFormat& format, const FloatQuestion& question);
 std::unique_ptr<FloatRun> wide_float_run(const FloatFormat& format, const FloatQuestion& question);
+std::unique_ptr<FloatRun> small_tracked_run(const FloatFormat& format, const FloatQuestion& question);
+std::unique_ptr<FloatRun> native_tracked_run(const FloatFormat& format, const FloatQuestion& question);
 
 }  // namespace shortfall

@@ -113,6 +113,55 @@ std::unique_ptr<FloatRun> float_run(const FloatFormat& format, const FloatQuesti
   return wide_float_run(format, question);
 }
 
+std::unique_ptr<FloatRun> tracked_run(const FloatFormat& format, const FloatQuestion& question) {
+  check_numeric(question.force);
+  switch (format.kind) {
+    case FloatFormat::Kind::binary16:
+    case FloatFormat::Kind::bfloat16:
+      return small_tracked_run(format, question);
+    case FloatFormat::Kind::binary32:
+    case FloatFormat::Kind::binary64:
+    case FloatFormat::Kind::x87:
+      return native_tracked_run(format, question);
+    case FloatFormat::Kind::binary128:
+    case FloatFormat::Kind::double_double:
+    case FloatFormat::Kind::mpfr:
+      break;
+  }
+  return nullptr;
+}
+
+bool reads_time(const Tape& tape) {
+  using Kind = Instruction::Kind;
+  const auto reads = [](const Instruction& i) {
+    switch (i.kind) {
+      case Kind::scalar_copy:
+      case Kind::scalar_negate:
+      case Kind::scalar_power:
+      case Kind::scale:
+        return i.a == Tape::kTimeRegister;
+      case Kind::scalar_add:
+      case Kind::scalar_subtract:
+      case Kind::scalar_multiply:
+      case Kind::scalar_divide:
+      case Kind::function:
+        return i.a == Tape::kTimeRegister || i.b == Tape::kTimeRegister;
+      case Kind::vector_divide:
+        return i.b == Tape::kTimeRegister;
+      default:
+        return false;
+    }
+  };
+  const auto any = [&](const Block& block) { return std::ranges::any_of(block, reads); };
+  return any(tape.start) || any(tape.step) || any(tape.finish) ||
+         std::ranges::any_of(tape.solves, [&](const Tape::Solve& s) { return any(s.body); }) ||
+         std::ranges::any_of(tape.repeats, [&](const Tape::Repeat& r) { return any(r.body); }) ||
+         std::ranges::any_of(
+             tape.whens,
+             [&](const Tape::When& w) { return w.speed == Tape::kTimeRegister || any(w.body); }) ||
+         std::ranges::any_of(tape.limits, [](const Tape::Limit& l) { return l.size == Tape::kTimeRegister; });
+}
+
 std::unique_ptr<FloatRun> exact_run(const FloatQuestion& question) {
   check_numeric(question.force);
   FloatAccess<Rational> access;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -38,6 +39,9 @@ struct FloatQuestion {
   Rational v0;
 };
 
+/// Is shown the vectors that a step makes, each with the statement that it belongs to (null for none).
+using Seen = std::function<void(const Statement*, const FloatNumber&)>;
+
 /// A step run in some arithmetic, operation by operation.
 class FloatRun {
  public:
@@ -51,10 +55,26 @@ class FloatRun {
   virtual std::pair<double, double> rough() = 0;
   /// All carried vectors as binary64: the state, exactly for formats of at most 53 bits without variants.
   virtual void carried(std::vector<double>& state) = 0;
+
+  /// The same as begin, step and state, with every vector shown on the way.
+  virtual void begin(const Seen& seen) = 0;
+  virtual void step(const Seen& seen) = 0;
+  virtual std::pair<FloatNumber, FloatNumber> state(const Seen& seen) = 0;
+
+  /// What rounding has done to position and velocity as reported now, exact minus computed, as tracked beside
+  /// the run and rounded to binary64; none for runs that do not track.
+  virtual std::optional<std::pair<double, double>> rounding() { return std::nullopt; }
 };
 
 /// throws  BadInput  for a letter of the force without a number;  Undefined  when a stage is singular
 std::unique_ptr<FloatRun> float_run(const FloatFormat& format, const FloatQuestion& question);
+
+/// The same run, bit for bit, that tracks its accumulated rounding error beside it (see tracked.hpp): against
+/// the same step in exact arithmetic with the stored constants, for any step and any linear force.
+///
+/// None for formats whose roundings are not tracked: f128, dd, mpfr, +origin and +tozero.
+/// throws  as float_run does
+std::unique_ptr<FloatRun> tracked_run(const FloatFormat& format, const FloatQuestion& question);
 
 /// The same in exact rational numbers, which grow with every step that is not exact in a short format.
 ///

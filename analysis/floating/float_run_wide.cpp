@@ -10,6 +10,7 @@
 #include "analysis/floating/float_access.hpp"
 #include "analysis/floating/float_variants.hpp"
 #include "analysis/floating/quad.hpp"
+#include "analysis/floating/real_in_place.hpp"
 #include "analysis/floating/real_variants.hpp"
 
 namespace shortfall {
@@ -61,6 +62,15 @@ FloatAccess<DoubleDouble> double_double_access() {
   return a;
 }
 
+FloatNumber exactly(mpfr_srcptr raw) {
+  if (mpfr_nan_p(raw)) return {FloatNumber::Kind::not_a_number, {}};
+  if (mpfr_inf_p(raw)) return {FloatNumber::Kind::infinite, mpfr_sgn(raw)};
+  if (mpfr_zero_p(raw)) return {};
+  mpz_class whole;
+  const mpfr_exp_t exponent = mpfr_get_z_2exp(whole.get_mpz_t(), raw);
+  return {FloatNumber::Kind::finite, scaled_by_two(rational(whole), exponent)};
+}
+
 FloatAccess<Real> real_access(const FloatFormat& format) {
   FloatAccess<Real> a;
   const BinaryFormat storage = format.storage();
@@ -68,20 +78,22 @@ FloatAccess<Real> real_access(const FloatFormat& format) {
     // A number of the format is exactly a Real of its digits.
     return real(*rounded(value, storage, rounding), digits);
   };
-  a.exact = [](const Real& r) -> FloatNumber {
-    mpfr_srcptr raw = r.backend().data();
-    if (mpfr_nan_p(raw)) return {FloatNumber::Kind::not_a_number, {}};
-    if (mpfr_inf_p(raw)) return {FloatNumber::Kind::infinite, mpfr_sgn(raw)};
-    if (mpfr_zero_p(raw)) return {};
-    mpz_class whole;
-    const mpfr_exp_t exponent = mpfr_get_z_2exp(whole.get_mpz_t(), raw);
-    return {FloatNumber::Kind::finite, scaled_by_two(rational(whole), exponent)};
-  };
+  a.exact = [](const Real& r) { return exactly(r.backend().data()); };
   a.rough = [](const Real& r) { return r.convert_to<double>(); };
   a.within = [digits = format.digits](const std::function<void()>& work) {
     const Precision precision(digits);
     work();
   };
+  return a;
+}
+
+FloatAccess<RealInPlace> in_place_access(const FloatFormat& format) {
+  FloatAccess<RealInPlace> a;
+  a.rounded = [access = real_access(format)](const Rational& value) {
+    return RealInPlace(access.rounded(value).backend().data());
+  };
+  a.exact = [](const RealInPlace& r) { return exactly(r.get()); };
+  a.rough = [](const RealInPlace& r) { return mpfr_get_d(r.get(), MPFR_RNDN); };
   return a;
 }
 
@@ -114,6 +126,8 @@ std::unique_ptr<FloatRun> wide_float_run(const FloatFormat& format, const FloatQ
         question, wrapped<Fused<FusedReal>>(wrapped<FusedReal>(access)));
   if (format.variant == FloatFormat::Variant::toward_zero)
     return std::make_unique<TypedFloatRun<RealTowardZero>>(question, wrapped<RealTowardZero>(access));
+  if (format.variant == FloatFormat::Variant::plain)
+    return std::make_unique<TypedFloatRun<RealInPlace>>(question, in_place_access(format));
   return made(question, format, access);
 }
 

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "analysis/program/print.hpp"
+#include "analysis/program/tape_source.hpp"
 
 namespace shortfall {
 
@@ -143,6 +144,17 @@ Expr Assumption::positive() const {
 
 std::string Assumption::str() const {
   return print_decimals(left) + (less ? " < " : " > ") + print_decimals(right);
+}
+
+std::string print(const Statement& s) {
+  std::string text = statements({s}, "");
+  for (std::size_t end; (end = text.find('\n')) != std::string::npos;) {
+    std::size_t next = text.find_first_not_of(" \n", end);
+    if (next == std::string::npos) next = text.size();
+    text.replace(end, next - end, next == text.size() ? "" : " ");
+  }
+  if (const std::size_t brace = text.find(" {"); brace != std::string::npos) text.resize(brace);
+  return text;
 }
 
 std::string print(const Program& p) {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -31,6 +32,11 @@ namespace shortfall {
 /// length with a size, and returns what is assumed where lengths have no values (a problem that can use the
 /// head's assumptions has assume(Scalar positive, std::string) too); `shortened` is v scaled by size over the
 /// length of what is measured.
+///
+/// A type of values may offer results in place: set_sum(out, a, b), set_difference, set_product, set_quotient
+/// and set_negative(out, a), where `out` may be an operand; they are then used instead of the operators. A
+/// problem may offer accelerate(out, x, v, t) beside `acceleration`, and reads_time(): where it says no, t
+/// stands still.
 template <class Problem>
 class Run {
  public:
@@ -80,31 +86,43 @@ class Run {
     vectors_[tape_.impulse] = std::move(j);
   }
 
+  /// Nobody looks.
+  struct Unwatched {
+    void operator()(const Instruction&, const Vector&) const {}
+  };
+
   /// Puts the body at x0, v0 at a time and runs `start`.
-  void begin(Vector x0, Vector v0, Scalar t0) {
+  ///
+  /// param   watch  is shown every vector that is made, with the instruction that made it; the inside of a
+  /// solve
+  ///                is not shown, its unknowns are
+  template <class Watch = Unwatched>
+  void begin(Vector x0, Vector v0, Scalar t0, const Watch& watch = {}) {
     vectors_[Tape::kPosition] = std::move(x0);
     vectors_[Tape::kVelocityRegister] = std::move(v0);
     scalars_[Tape::kTimeRegister] = std::move(t0);
     if (tape_.impulse >= 0) vectors_[tape_.impulse] = problem_.zero();
     steps_ = 0;
     deviation_.reset();
-    execute(tape_.start);
+    execute(tape_.start, watch);
   }
 
   /// One step; t has advanced by h when it returns.
-  void step() {
+  template <class Watch = Unwatched>
+  void step(const Watch& watch = {}) {
     ++steps_;
-    execute(tape_.step);
+    execute(tape_.step, watch);
     if (tape_.impulse >= 0) vectors_[tape_.impulse] = problem_.zero();
-    scalars_[Tape::kTimeRegister] = scalars_[Tape::kTimeRegister] + scalars_[Tape::kStep];
+    advance_time();
   }
 
   /// Position and velocity as `finish` reports them; the state stays as it is.
-  std::pair<Vector, Vector> read_out() {
+  template <class Watch = Unwatched>
+  std::pair<Vector, Vector> read_out(const Watch& watch = {}) {
     if (tape_.finish.empty()) return {state(0), state(1)};
     const std::vector<Vector> kept(vectors_.begin(),
                                    vectors_.begin() + static_cast<long>(tape_.states.size()));
-    execute(tape_.finish);
+    execute(tape_.finish, watch);
     std::pair<Vector, Vector> result{state(0), state(1)};
     std::copy(kept.begin(), kept.end(), vectors_.begin());
     return result;
@@ -118,11 +136,71 @@ class Run {
   void set_step(Scalar h) { scalars_[Tape::kStep] = std::move(h); }
 
  private:
-  void execute(const Block& block) {
-    for (const Instruction& i : block) execute(i);
+  template <class Watch = Unwatched>
+  void execute(const Block& block, const Watch& watch = {}) {
+    for (const Instruction& i : block) {
+      execute(i, watch);
+      if constexpr (!std::is_same_v<Watch, Unwatched>) show(i, watch);
+    }
   }
 
-  void execute(const Instruction& i) {
+  template <class Watch>
+  void show(const Instruction& i, const Watch& watch) {
+    using Kind = Instruction::Kind;
+    if (i.kind == Kind::solve)
+      for (int unknown : tape_.solves[i.a].unknowns) watch(i, vectors_[unknown]);
+    else if (i.kind == Kind::limit)
+      watch(i, state(1));
+    else if (i.kind >= Kind::zero && i.kind <= Kind::force)
+      watch(i, vectors_[i.out]);
+  }
+
+  void advance_time() {
+    if constexpr (requires { problem_.reads_time(); })
+      if (!problem_.reads_time()) return;
+    Scalar& t = scalars_[Tape::kTimeRegister];
+    put_sum(t, t, scalars_[Tape::kStep]);
+  }
+
+  // Results in place where the values offer that; a new value otherwise.
+  template <class T>
+  static void put_sum(T& out, const T& a, const T& b) {
+    if constexpr (requires { set_sum(out, a, b); })
+      set_sum(out, a, b);
+    else
+      out = a + b;
+  }
+  template <class T>
+  static void put_difference(T& out, const T& a, const T& b) {
+    if constexpr (requires { set_difference(out, a, b); })
+      set_difference(out, a, b);
+    else
+      out = a - b;
+  }
+  template <class T, class A>
+  static void put_product(T& out, const A& a, const T& b) {
+    if constexpr (requires { set_product(out, a, b); })
+      set_product(out, a, b);
+    else
+      out = a * b;
+  }
+  template <class T, class B>
+  static void put_quotient(T& out, const T& a, const B& b) {
+    if constexpr (requires { set_quotient(out, a, b); })
+      set_quotient(out, a, b);
+    else
+      out = a / b;
+  }
+  template <class T>
+  static void put_negative(T& out, const T& a) {
+    if constexpr (requires { set_negative(out, a); })
+      set_negative(out, a);
+    else
+      out = -a;
+  }
+
+  template <class Watch>
+  void execute(const Instruction& i, const Watch& watch) {
     using Kind = Instruction::Kind;
     auto& s = scalars_;
     auto& v = vectors_;
@@ -134,19 +212,19 @@ class Run {
         s[i.out] = s[i.a];
         break;
       case Kind::scalar_negate:
-        s[i.out] = -s[i.a];
+        put_negative(s[i.out], s[i.a]);
         break;
       case Kind::scalar_add:
-        s[i.out] = s[i.a] + s[i.b];
+        put_sum(s[i.out], s[i.a], s[i.b]);
         break;
       case Kind::scalar_subtract:
-        s[i.out] = s[i.a] - s[i.b];
+        put_difference(s[i.out], s[i.a], s[i.b]);
         break;
       case Kind::scalar_multiply:
-        s[i.out] = s[i.a] * s[i.b];
+        put_product(s[i.out], s[i.a], s[i.b]);
         break;
       case Kind::scalar_divide:
-        s[i.out] = s[i.a] / s[i.b];
+        put_quotient(s[i.out], s[i.a], s[i.b]);
         break;
       case Kind::scalar_power:
         s[i.out] = powered(s[i.a], i.b);
@@ -158,28 +236,31 @@ class Run {
         v[i.out] = v[i.a];
         break;
       case Kind::vector_negate:
-        v[i.out] = -v[i.a];
+        put_negative(v[i.out], v[i.a]);
         break;
       case Kind::vector_add:
-        v[i.out] = v[i.a] + v[i.b];
+        put_sum(v[i.out], v[i.a], v[i.b]);
         break;
       case Kind::vector_subtract:
-        v[i.out] = v[i.a] - v[i.b];
+        put_difference(v[i.out], v[i.a], v[i.b]);
         break;
       case Kind::scale:
-        v[i.out] = s[i.a] * v[i.b];
+        put_product(v[i.out], s[i.a], v[i.b]);
         break;
       case Kind::vector_divide:
-        v[i.out] = v[i.a] / s[i.b];
+        put_quotient(v[i.out], v[i.a], s[i.b]);
         break;
       case Kind::force:
-        v[i.out] = problem_.acceleration(v[i.a], v[i.b], s[i.c]);
+        if constexpr (requires { problem_.accelerate(v[i.out], v[i.a], v[i.b], s[i.c]); })
+          problem_.accelerate(v[i.out], v[i.a], v[i.b], s[i.c]);
+        else
+          v[i.out] = problem_.acceleration(v[i.a], v[i.b], s[i.c]);
         break;
       case Kind::solve:
         solve(tape_.solves[i.a]);
         break;
       case Kind::repeat:
-        repeat(tape_.repeats[i.a]);
+        repeat(tape_.repeats[i.a], watch);
         break;
       case Kind::function:
         s[i.out] = problem_.function(static_cast<Function>(i.c), s[i.a], s[i.b]);
@@ -191,7 +272,7 @@ class Run {
         limit(tape_.limits[i.a]);
         break;
       case Kind::when:
-        when(tape_.whens[i.a]);
+        when(tape_.whens[i.a], watch);
         break;
     }
   }
@@ -219,14 +300,15 @@ class Run {
     for (std::size_t k = 0; k < unknowns.size(); ++k) vectors_[solve.unknowns[k]] = std::move(unknowns[k]);
   }
 
-  void repeat(const Tape::Repeat& repeat) {
+  template <class Watch>
+  void repeat(const Tape::Repeat& repeat, const Watch& watch) {
     const Scalar h = scalars_[Tape::kStep];
     const Scalar t = scalars_[Tape::kTimeRegister];
     scalars_[Tape::kStep] = h / problem_.number(repeat.count);
     for (int k = 0; k < repeat.count; ++k) {
-      execute(repeat.body);
+      execute(repeat.body, watch);
       if (repeat.whole_steps && tape_.impulse >= 0) vectors_[tape_.impulse] = problem_.zero();
-      scalars_[Tape::kTimeRegister] = scalars_[Tape::kTimeRegister] + scalars_[Tape::kStep];
+      advance_time();
     }
     scalars_[Tape::kStep] = h;
     scalars_[Tape::kTimeRegister] = t;
@@ -246,9 +328,10 @@ class Run {
     deviate(limit.text);
   }
 
-  void when(const Tape::When& when) {
+  template <class Watch>
+  void when(const Tape::When& when, const Watch& watch) {
     if (problem_.longer(vectors_[Tape::kVelocityRegister], scalars_[when.speed], true))
-      execute(when.body);
+      execute(when.body, watch);
     else
       deviate(when.text);
   }

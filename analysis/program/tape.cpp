@@ -9,6 +9,7 @@
 #include "analysis/program/function.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/suggest.hpp"
+#include "analysis/program/tape_source.hpp"
 
 namespace shortfall {
 
@@ -110,7 +111,9 @@ class Lowering {
     if (program.impulse) tape_.impulse = vectors_[program.impulse->name] = new_vector();
   }
 
-  Tape tape() {
+  /// param   source  is told where every instruction comes from, if there is one
+  Tape tape(TapeSource* source = nullptr) {
+    source_ = source;
     const auto scalars = scalars_;
     const auto vectors = vectors_;
     for (auto [from, to] : {std::pair{&program_.start, &tape_.start},
@@ -120,12 +123,14 @@ class Lowering {
       vectors_ = vectors;
       block_ = to;
       held_ = -1;
+      statement_ = -1;
       if (program_.holds_force && to == &tape_.step) {
         const int out = new_vector();
         emit(Kind::force, out, Tape::kPosition, Tape::kVelocityRegister, Tape::kTimeRegister);
         held_ = out;
       }
       statements(*from);
+      close(*to);
     }
     return std::move(tape_);
   }
@@ -137,7 +142,19 @@ class Lowering {
     tape_.state_dimensions.push_back(dimension);
   }
 
-  void emit(Kind kind, int out, int a = 0, int b = 0, int c = 0) { block_->push_back({kind, out, a, b, c}); }
+  void emit(Kind kind, int out, int a = 0, int b = 0, int c = 0) {
+    block_->push_back({kind, out, a, b, c});
+    // Blocks are moved afterwards, never copied: their instructions stay where they are once all are there.
+    if (source_) pending_[block_].push_back(statement_);
+  }
+
+  /// All instructions of a block are there.
+  void close(const Block& block) {
+    if (!source_) return;
+    const std::vector<int> statements = pending_[&block];
+    pending_.erase(&block);
+    for (std::size_t i = 0; i < statements.size(); ++i) source_->note(block[i], statements[i]);
+  }
 
   bool is_vector(const Expr& e) const {
     switch (e->op) {
@@ -240,6 +257,7 @@ class Lowering {
 
   void statements(const std::vector<Statement>& block) {
     for (const Statement& s : block) {
+      if (source_) statement_ = source_->add(s);
       switch (s.kind) {
         case Statement::Kind::assign:
           assign(s);
@@ -296,6 +314,7 @@ class Lowering {
       vector_into(u.value, out);
       solve.results.push_back(out);
     }
+    if (source_) pending_.erase(&solve.body);
     block_ = outer;
     tape_.solves.push_back(std::move(solve));
     emit(Kind::solve, 0, static_cast<int>(tape_.solves.size()) - 1);
@@ -310,6 +329,7 @@ class Lowering {
     Block* outer = block_;
     block_ = &repeat.body;
     statements(s.body);
+    close(repeat.body);
     block_ = outer;
     tape_.repeats.push_back(std::move(repeat));
     emit(Kind::repeat, 0, static_cast<int>(tape_.repeats.size()) - 1);
@@ -329,6 +349,7 @@ class Lowering {
     Block* outer = block_;
     block_ = &when.body;
     statements(s.body);
+    close(when.body);
     block_ = outer;
     scalars_ = scalars;  // names made within are gone after it
     vectors_ = vectors;
@@ -343,11 +364,33 @@ class Lowering {
   std::map<std::string, int> scalars_;
   std::map<std::string, int> vectors_;
   Block* block_ = nullptr;
+  TapeSource* source_ = nullptr;
+  int statement_ = -1;                                ///< of the source, that is being lowered
+  std::map<const Block*, std::vector<int>> pending_;  ///< of blocks that are being made: a statement each
 };
 
 }  // namespace
 
 Tape lower(const Program& program, const Values& given) { return Lowering(program, given).tape(); }
+
+std::pair<Tape, TapeSource> lower_with_source(const Program& program, const Values& given) {
+  TapeSource source;
+  Tape tape = Lowering(program, given).tape(&source);
+  return {std::move(tape), std::move(source)};
+}
+
+int TapeSource::add(const Statement& s) {
+  statements_.push_back(s);
+  statements_.back().body.clear();
+  return static_cast<int>(statements_.size()) - 1;
+}
+
+const Statement* TapeSource::statement_of(const Instruction& i) const {
+  const auto found = statement_.find(&i);
+  return found == statement_.end() || found->second < 0
+             ? nullptr
+             : &statements_[static_cast<std::size_t>(found->second)];
+}
 
 Values parameter_values(const Program& program, const Values& given) {
   std::vector<std::string> names;
