@@ -43,7 +43,7 @@ Contender ours(const char* format) {
 template <class T, class Native>
 [[gnu::always_inline]] inline void steps_by_hand() {
   volatile Native start = 1;
-  const T h(start / Native(50)), k(start);
+  const Native h = start / Native(50), k = start;  // they have no error
   T x(start), v(start - 1);
   for (int n = 0; n < kSteps; ++n) {
     v = v + h * -(k * x);

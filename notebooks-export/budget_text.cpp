@@ -123,7 +123,7 @@ std::string remedies_text(const std::vector<Budget>& budgets, const Scale& scale
       }
     const bool any = std::ranges::any_of(budgets, [&](const Budget& b) {
       return !b.lines.empty() && std::ranges::any_of(b.lines[0].terms, [&](const BudgetTerm& other) {
-        return other.name == t.name && !other.value.is_zero();
+        return other.name == t.name && !other.value.contains_zero();
       });
     });
     if (!any) continue;

@@ -149,11 +149,13 @@ void put_remedies(Budget& b, const RemedyParts& parts) {
   FloatQuestion half = b.question;
   half.h = half.h / Rational(2);
   half.kept_h.reset();
+  const std::string half_step =
+      "dt = " + (half.h.digits() < 12 ? half.h.str() : half.h.significant(17)) + " s";
   for (const BudgetTerm& term : b.lines.at(0).terms) {
-    if (term.value.is_zero()) continue;
+    if (term.value.contains_zero()) continue;
     try {
       if (term.name == "method") {
-        b.remedies.push_back({term.name, "dt = " + half.h.str() + " s", parts.method(half)});
+        b.remedies.push_back({term.name, half_step, parts.method(half)});
       } else if (term.name == "representation") {
         FloatQuestion plain = b.question;
         plain.kept_h.reset();
@@ -171,7 +173,7 @@ void put_remedies(Budget& b, const RemedyParts& parts) {
           b.remedies.push_back({term.name, "steps in " + format->name(), *becomes});
       } else if (parts.sampling) {
         const auto [change, becomes] = parts.sampling(half);
-        b.remedies.push_back({term.name, change.empty() ? "dt = " + half.h.str() + " s" : change, becomes});
+        b.remedies.push_back({term.name, change.empty() ? half_step : change, becomes});
       }
     } catch (const Unable&) {  // a limit that only the changed question meets
     } catch (const Undefined&) {

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/floating/ball_trajectory.hpp"
+#include "analysis/floating/binary_format.hpp"
 #include "analysis/floating/budget_parts.hpp"
 #include "analysis/floating/exact_trajectory.hpp"
 
@@ -13,7 +15,9 @@ namespace {
 
 constexpr int kSignBits = 64;
 constexpr int kMostSignBits = 1 << 14;
-constexpr std::int64_t kMostPoweredFrames = 20'000;  ///< where each costs powers of a matrix
+constexpr int kMostBallBits = 1024;               ///< asked for, where there are exact numbers as well
+constexpr long kFewBits = 64;                     ///< a step, with which exact numbers are as fast as balls
+constexpr std::int64_t kMostBallFrames = 20'000;  ///< room for their growth makes balls longer and longer
 
 /// A map with rational coefficients, stepped.
 class SteppedMap : public Distances {
@@ -30,6 +34,9 @@ class SteppedMap : public Distances {
     const Ball rest = here_.position().ball(bits + 64), unit = faster_->position().ball(bits + 64) - rest;
     return rest + unit * ball_of(*launch_, bits + 64) - Ball(level_, bits + 64);
   }
+
+  /// By which the numbers get longer.
+  long bits_a_step() const { return leading_bit(here_.denominator_of_a_step()); }
 
  private:
   static ExactTrajectory made(const FloatQuestion& q, const Rational& v0) {
@@ -56,23 +63,49 @@ class AnyFrame : public Distances {
 
 int digits_for(int bits) { return bits * 3 / 10 + 1; }
 
-/// A map with irrational coefficients, by powers of its matrix in balls.
-Ball powered(FloatQuestion q, const Rational& level, const std::optional<Surd>& launch, std::int64_t frame,
-             int bits) {
-  if (frame > kMostPoweredFrames)
-    throw Unable(q.program.name +
-                 " has irrational coefficients, so that its passings are looked for in at most " +
-                 std::to_string(kMostPoweredFrames) + " frames; ask for a frame instead (--steps)");
-  const auto x = [&](const Rational& v0) {
-    q.v0 = v0;
-    return ball_of(numeric_motion(q.program, exact_question(q, frame, digits_for(bits) + 20)).position,
-                   bits + 64);
-  };
-  const Ball level_here(level, bits + 64);
-  if (!launch) return x(q.v0) - level_here;
-  const Ball rest = x(0);
-  return rest + (x(1) - rest) * ball_of(*launch, bits + 64) - level_here;
-}
+/// A map with irrational coefficients, stepped in balls.
+class BallMap : public Distances {
+ public:
+  BallMap(const FloatQuestion& q, Rational level, std::optional<Surd> launch)
+      : level_(std::move(level)), launch_(std::move(launch)), here_(made(q, launch_ ? Rational() : q.v0)) {
+    if (launch_) faster_.emplace(made(q, 1));
+  }
+  Ball at(std::int64_t frame, int bits) override {
+    if (frame > kMostBallFrames)
+      throw Unable(
+          "the integrator has irrational coefficients, so that its passings are looked for in at most " +
+          std::to_string(kMostBallFrames) + " frames; ask for a frame instead (--steps)");
+    const Ball level(level_, bits + 64), rest = here_.position(frame, bits + 64);
+    if (!launch_) return rest - level;
+    return rest + (faster_->position(frame, bits + 64) - rest) * ball_of(*launch_, bits + 64) - level;
+  }
+
+ private:
+  static BallTrajectory made(const FloatQuestion& q, const Rational& v0) {
+    NumericQuestion n = exact_question(q, 0, kBudgetDigits);
+    n.v0 = v0;
+    return {q.program, n};
+  }
+  Rational level_;
+  std::optional<Surd> launch_;
+  BallTrajectory here_;
+  std::optional<BallTrajectory> faster_;
+};
+
+/// A map whose exact numbers are long: in balls, and exactly where these do not decide.
+class LongMap : public Distances {
+ public:
+  LongMap(std::unique_ptr<BallMap> balls, std::unique_ptr<SteppedMap> exact)
+      : balls_(std::move(balls)), exact_(std::move(exact)) {}
+  Ball at(std::int64_t frame, int bits) override {
+    const bool long_way = bits > kMostBallBits || frame > kMostBallFrames;
+    return exact_ && long_way ? exact_->at(frame, bits) : balls_->at(frame, bits);
+  }
+
+ private:
+  std::unique_ptr<BallMap> balls_;
+  std::unique_ptr<SteppedMap> exact_;  ///< null where coefficients are irrational
+};
 
 /// As many bits as the sign needs.
 int sign(Distances& d, std::int64_t frame, const std::string& what) {
@@ -93,12 +126,13 @@ Motion map_distances(const FloatQuestion& question, const Rational& level,
       q.v0 = launch->rational_part();
       irrational.reset();
     }
+    std::unique_ptr<SteppedMap> exact;
     try {
-      return std::make_unique<SteppedMap>(q, level, irrational);
+      exact = std::make_unique<SteppedMap>(q, level, irrational);
+      if (exact->bits_a_step() <= kFewBits) return exact;
     } catch (const Unable&) {  // irrational coefficients
-      return std::make_unique<AnyFrame>(
-          [=](std::int64_t frame, int bits) { return powered(q, level, irrational, frame, bits); });
     }
+    return std::make_unique<LongMap>(std::make_unique<BallMap>(q, level, irrational), std::move(exact));
   };
 }
 

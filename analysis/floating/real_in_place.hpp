@@ -47,16 +47,16 @@ class RealInPlace {
   mpfr_srcptr get() const { return value_; }
 
   friend void set_sum(RealInPlace& out, const RealInPlace& a, const RealInPlace& b) {
-    set(mpfr_add, out, a, b);
+    set<mpfr_add>(out, a, b);
   }
   friend void set_difference(RealInPlace& out, const RealInPlace& a, const RealInPlace& b) {
-    set(mpfr_sub, out, a, b);
+    set<mpfr_sub>(out, a, b);
   }
   friend void set_product(RealInPlace& out, const RealInPlace& a, const RealInPlace& b) {
-    set(mpfr_mul, out, a, b);
+    set<mpfr_mul>(out, a, b);
   }
   friend void set_quotient(RealInPlace& out, const RealInPlace& a, const RealInPlace& b) {
-    set(mpfr_div, out, a, b);
+    set<mpfr_div>(out, a, b);
   }
   friend void set_negative(RealInPlace& out, const RealInPlace& a) {
     if (&out != &a) out = a;
@@ -88,17 +88,17 @@ class RealInPlace {
  private:
   static mpfr_prec_t precision(const RealInPlace& a) { return mpfr_get_prec(a.value_); }
 
-  template <class Operation>
-  static void set(Operation operation, RealInPlace& out, const RealInPlace& a, const RealInPlace& b) {
-    const mpfr_prec_t wanted = std::max(precision(a), precision(b));
-    if (precision(out) != wanted) {
-      if (&out == &a || &out == &b) {  // its digits are still needed
-        out = made(operation, a, b);
-        return;
-      }
-      mpfr_set_prec(out.value_, wanted);
+  template <auto Operation>
+  static void set(RealInPlace& out, const RealInPlace& a, const RealInPlace& b) {
+    const mpfr_prec_t here = precision(out);
+    if (here == precision(a) && here == precision(b)) [[likely]]
+      Operation(out.value_, a.value_, b.value_, MPFR_RNDN);
+    else if (&out == &a || &out == &b)  // its digits are still needed
+      out = made(Operation, a, b);
+    else {
+      mpfr_set_prec(out.value_, std::max(precision(a), precision(b)));
+      Operation(out.value_, a.value_, b.value_, MPFR_RNDN);
     }
-    operation(out.value_, a.value_, b.value_, MPFR_RNDN);
   }
   template <class Operation, class... More>
   static RealInPlace made(Operation operation, const RealInPlace& a, const More&... more) {

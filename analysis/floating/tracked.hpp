@@ -55,6 +55,11 @@ class Tracked {
     const Error from_a = a.error_ * as_error(b.value_), from_b = b.error_ * (as_error(a.value_) + a.error_);
     return Tracked(p, rest(a.value_, b.value_, p) + (from_a + from_b));
   }
+  /// By a factor that is meant as it is: nothing of its own goes into the error.
+  friend Tracked operator*(const T& a, const Tracked& b) {
+    const T p = a * b.value_;
+    return Tracked(p, rest(a, b.value_, p) + as_error(a) * b.error_);
+  }
   friend Tracked operator/(const Tracked& a, const Tracked& b) {
     const T q = a.value_ / b.value_;
     // (a + ea) / (b + eb) - q = (a - q b + ea - q eb) / (b + eb)

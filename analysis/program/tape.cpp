@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/arithmetic.hpp"
@@ -150,10 +151,7 @@ class Lowering {
 
   /// All instructions of a block are there.
   void close(const Block& block) {
-    if (!source_) return;
-    const std::vector<int> statements = pending_[&block];
-    pending_.erase(&block);
-    for (std::size_t i = 0; i < statements.size(); ++i) source_->note(block[i], statements[i]);
+    if (source_) source_->note(block, std::exchange(pending_[&block], {}));
   }
 
   bool is_vector(const Expr& e) const {
@@ -374,22 +372,9 @@ class Lowering {
 Tape lower(const Program& program, const Values& given) { return Lowering(program, given).tape(); }
 
 std::pair<Tape, TapeSource> lower_with_source(const Program& program, const Values& given) {
-  TapeSource source;
-  Tape tape = Lowering(program, given).tape(&source);
-  return {std::move(tape), std::move(source)};
-}
-
-int TapeSource::add(const Statement& s) {
-  statements_.push_back(s);
-  statements_.back().body.clear();
-  return static_cast<int>(statements_.size()) - 1;
-}
-
-const Statement* TapeSource::statement_of(const Instruction& i) const {
-  const auto found = statement_.find(&i);
-  return found == statement_.end() || found->second < 0
-             ? nullptr
-             : &statements_[static_cast<std::size_t>(found->second)];
+  std::pair<Tape, TapeSource> result;
+  result.first = Lowering(program, given).tape(&result.second);
+  return result;
 }
 
 Values parameter_values(const Program& program, const Values& given) {

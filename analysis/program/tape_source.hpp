@@ -19,7 +19,8 @@ class TapeSource {
   const Statement* statement_of(const Instruction& i) const;
 
   int add(const Statement& s);
-  void note(const Instruction& i, int statement) { statement_[&i] = statement; }
+  /// param   statements  one for each instruction of a block that is complete; -1 for none
+  void note(const Block& block, const std::vector<int>& statements);
 
  private:
   std::vector<Statement> statements_;
