@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <memory>
 
 #include "analysis/algebra/error.hpp"
@@ -97,7 +98,8 @@ int budget_command(const BudgetOptions& o) {
     say("wrote " + o.plot);
   }
   write_output(o.json ? as_json(budgets).dump(2) + "\n" : as_text(budgets, about), o.output);
-  return kDone;
+  const bool all = std::ranges::all_of(budgets, [](const Budget& b) { return b.reason.empty(); });
+  return all ? kDone : kNotDerivable;
 }
 
 }  // namespace

@@ -162,6 +162,7 @@ std::string tracked_words(const Budget& b) {
   std::array<char, 32> number{};
   std::snprintf(number.data(), number.size(), "%.6g", tracked);
   text += std::string(number.data()) + " m";
+  if (b.lines.empty()) return text + "\n";
   const auto exact = std::ranges::find(b.lines[0].terms, "rounding", &BudgetTerm::name);
   if (exact == b.lines[0].terms.end()) return text + "\n";
   const double off = (exact->value - Ball(Rational::from_double(tracked), exact->value.bits())).to_double();
@@ -229,6 +230,7 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
       continue;
     }
     text += tracked_words(b);
+    if (!b.reason.empty()) text += "  " + b.format.name() + ": no other part is known: " + b.reason + "\n";
     for (const BudgetLine& l : b.lines)
       if (!l.closes())
         text += "  " + b.format.name() + ", " + l.quantity +
@@ -242,9 +244,10 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
     if (!formats.empty()) text += "  " + formats + ": most of it is " + part + "\n";
   }
   const bool all = std::ranges::all_of(budgets, [](const Budget& b) {
+    if (!b.reason.empty()) return false;
     return b.not_finite_at || std::ranges::all_of(b.lines, [](const BudgetLine& l) { return l.closes(); });
   });
-  if (all)
+  if (all && lines > 0)
     text +=
         "  the parts add up to what is observed: the residual holds 0 and is narrower than 1e-40 of it; the "
         "digits shown are certain\n";
@@ -282,6 +285,7 @@ nlohmann::ordered_json as_json(const std::vector<Budget>& budgets) {
       one["remedies"].push_back({{"term", r.term}, {"change", r.change}, {"becomes", as_json(r.becomes)}});
     one["rounding_bound"] =
         b.rounding_bound ? nlohmann::ordered_json(*b.rounding_bound) : nlohmann::ordered_json(nullptr);
+    if (!b.reason.empty()) one["reason"] = b.reason;
     one["rounding_tracked"] =
         b.tracked ? nlohmann::ordered_json{{"x", b.tracked->first}, {"v", b.tracked->second}} : nullptr;
     one["compared_steps"] = b.difference.compared;

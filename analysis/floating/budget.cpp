@@ -69,21 +69,10 @@ RunResult run_to(FloatRun& run, std::int64_t steps, const std::string& format, c
   return r;
 }
 
-}  // namespace
-
-Budget budget(const FloatFormat& format, const FloatQuestion& question, std::int64_t steps,
-              const Progress& progress) {
-  check_steps(steps);
-  Budget b{format, question, stored(question, format), steps};
-  const auto run = float_run(format, question);
-  const RunResult r = run_to(*run, steps, format.name(), progress);
-  if (r.not_finite_at) {
-    b.not_finite_at = r.not_finite_at;
-    return b;
-  }
-  const auto other = second_run(format, question);
-  const RunResult second = run_to(*other, steps, format.name(), progress);
-  b.tracked = other->rounding();
+/// x, v and energy, where the exact map is known.
+void put_frame_lines(Budget& b, const RunResult& r, const RunResult& second) {
+  const FloatQuestion& question = b.question;
+  const std::int64_t steps = b.steps;
   for (int digits = kBudgetDigits;; digits *= 2) {
     const int bits = bits_for(digits);
     const ExactState ideal = exact_state(question, steps, digits),
@@ -113,6 +102,32 @@ Budget budget(const FloatFormat& format, const FloatQuestion& question, std::int
     }
     const bool done = std::ranges::all_of(b.lines, [](const BudgetLine& l) { return l.closes(); });
     if (done || digits >= kMostBudgetDigits) break;
+  }
+}
+
+}  // namespace
+
+Budget budget(const FloatFormat& format, const FloatQuestion& question, std::int64_t steps,
+              const Progress& progress) {
+  check_steps(steps);
+  Budget b{format, question, stored(question, format), steps};
+  const auto run = float_run(format, question);
+  const RunResult r = run_to(*run, steps, format.name(), progress);
+  if (r.not_finite_at) {
+    b.not_finite_at = r.not_finite_at;
+    return b;
+  }
+  const auto other = second_run(format, question);
+  const RunResult second = run_to(*other, steps, format.name(), progress);
+  b.tracked = other->rounding();
+  try {
+    put_frame_lines(b, r, second);
+  } catch (const Unable& e) {  // a coefficient that depends on t, for instance
+    if (!b.tracked) throw;
+    b.lines.clear();
+    b.reason = e.what();
+    put_first_difference(b);
+    return b;
   }
   put_first_difference(b);
   const int bits = bits_for(kBudgetDigits);

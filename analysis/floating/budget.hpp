@@ -64,6 +64,8 @@ struct Budget {
   /// with the largest x and v of the run. None for implicit steps, and formats without one rounding an
   /// operation.
   std::optional<double> rounding_bound{};
+  /// Why the exact map is not known, where it is not: then there are no lines, but `tracked`.
+  std::string reason{};
   /// The frame at which the run stopped being finite; then there are no lines.
   std::optional<std::int64_t> not_finite_at{};
 };
@@ -71,7 +73,7 @@ struct Budget {
 /// The budget of x, v (and the energy where the force has one) after so many steps.
 ///
 /// throws  BadInput  for a letter without a number, or a number of steps that cannot be run
-///         Unable  when the step is not linear
+///         Unable  when the step is not linear and its rounding is not tracked either
 Budget budget(const FloatFormat& format, const FloatQuestion& question, std::int64_t steps,
               const Progress& progress = {});
 
