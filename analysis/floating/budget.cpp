@@ -47,7 +47,8 @@ struct RunResult {
   double largest_x = 0, largest_v = 0;
   std::optional<std::int64_t> not_finite_at;
 };
-RunResult run_to(FloatRun& run, std::int64_t steps, const std::string& format, const Progress& progress) {
+RunResult run_to(FloatRun& run, std::int64_t steps, const FloatFormat& format, const Progress& progress) {
+  const std::int64_t report = report_steps(format);
   RunResult r;
   std::tie(r.largest_x, r.largest_v) = run.rough();
   r.largest_x = std::abs(r.largest_x);
@@ -61,9 +62,9 @@ RunResult run_to(FloatRun& run, std::int64_t steps, const std::string& format, c
     }
     r.largest_x = std::max(r.largest_x, std::abs(x));
     r.largest_v = std::max(r.largest_v, std::abs(v));
-    if (progress && n % kReportSteps == 0)
-      progress("stepping in " + format, static_cast<int>(n / kReportSteps),
-               static_cast<int>(steps / kReportSteps));
+    if (progress && n % report == 0)
+      progress("stepping in " + format.name(), static_cast<int>(n / report),
+               static_cast<int>(steps / report));
   }
   r.state = run.state();
   return r;
@@ -73,7 +74,7 @@ RunResult run_to(FloatRun& run, std::int64_t steps, const std::string& format, c
 void put_frame_lines(Budget& b, const RunResult& r, const RunResult& second) {
   const FloatQuestion& question = b.question;
   const std::int64_t steps = b.steps;
-  for (int digits = kBudgetDigits;; digits *= 2) {
+  for (int digits = first_digits(b.format);; digits *= 2) {
     const int bits = bits_for(digits);
     const ExactState ideal = exact_state(question, steps, digits),
                      kept = exact_state(b.stored, steps, digits);
@@ -112,13 +113,13 @@ Budget budget(const FloatFormat& format, const FloatQuestion& question, std::int
   check_steps(steps);
   Budget b{format, question, stored(question, format), steps};
   const auto run = float_run(format, question);
-  const RunResult r = run_to(*run, steps, format.name(), progress);
+  const RunResult r = run_to(*run, steps, format, progress);
   if (r.not_finite_at) {
     b.not_finite_at = r.not_finite_at;
     return b;
   }
   const auto other = second_run(format, question);
-  const RunResult second = run_to(*other, steps, format.name(), progress);
+  const RunResult second = run_to(*other, steps, format, progress);
   b.tracked = other->rounding();
   try {
     put_frame_lines(b, r, second);
@@ -130,20 +131,19 @@ Budget budget(const FloatFormat& format, const FloatQuestion& question, std::int
     return b;
   }
   put_first_difference(b);
-  const int bits = bits_for(kBudgetDigits);
+  const int digits = first_digits(format), bits = bits_for(digits);
   put_remedies(b, {[&](const FloatQuestion& half) {
-                     const ExactState e = exact_state(half, 2 * steps, kBudgetDigits);
+                     const ExactState e = exact_state(half, 2 * steps, digits);
                      return e.true_x - e.x;
                    },
                    [&](const FloatQuestion& kept) {
-                     return exact_state(question, steps, kBudgetDigits).x -
-                            exact_state(kept, steps, kBudgetDigits).x;
+                     return exact_state(question, steps, digits).x - exact_state(kept, steps, digits).x;
                    },
                    [&](const FloatFormat& other_format) -> std::optional<Ball> {
                      const RunResult there =
-                         run_to(*float_run(other_format, question), steps, other_format.name(), progress);
+                         run_to(*float_run(other_format, question), steps, other_format, progress);
                      if (there.not_finite_at) return std::nullopt;
-                     return exact_state(stored(question, other_format), steps, kBudgetDigits).x -
+                     return exact_state(stored(question, other_format), steps, digits).x -
                             Ball(there.state.first.value, bits);
                    }});
   b.rounding_bound = rounding_bound(format, b.stored, steps, r.largest_x, r.largest_v);

@@ -37,6 +37,24 @@ bool narrower(const Ball& residual, const Ball& total) {
 
 bool BudgetLine::closes() const { return residual.contains_zero() && narrower(residual, observed); }
 
+int first_digits(const FloatFormat& format) {
+  constexpr int kShown = 25;  // beyond the format's own
+  const int own = format.storage().precision * 3 / 10 + kShown;
+  return std::clamp(own, kBudgetDigits, kMostBudgetDigits);
+}
+
+std::int64_t report_steps(const FloatFormat& format) {
+  switch (format.kind) {
+    case FloatFormat::Kind::binary128:
+    case FloatFormat::Kind::double_double:
+      return 10'000;
+    case FloatFormat::Kind::mpfr:
+      return std::max(1, 1000 / std::max(format.digits, 1));
+    default:
+      return 100'000;
+  }
+}
+
 NumericQuestion exact_question(const FloatQuestion& q, std::int64_t steps, int digits) {
   NumericQuestion n;
   n.force = q.force;

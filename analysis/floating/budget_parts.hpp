@@ -16,9 +16,12 @@
 
 namespace shortfall {
 
-inline constexpr int kBudgetDigits = 60;  ///< of every exact answer, at first
+inline constexpr int kBudgetDigits = 60;  ///< of every exact answer, at least
 inline constexpr int kMostBudgetDigits = 4000;
-inline constexpr std::int64_t kReportSteps = 100'000;  ///< between two calls of progress
+/// The digits of a budget's exact answers at first: enough to show what a format rounds off.
+int first_digits(const FloatFormat& format);
+/// Steps between two calls of progress: about a millisecond or less.
+std::int64_t report_steps(const FloatFormat& format);
 
 /// The precision that so many digits are computed in.
 inline int bits_for(int digits) { return digits * 4 + 64; }

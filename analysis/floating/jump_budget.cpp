@@ -12,7 +12,7 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kPositionDigits = 120;  // of what is not known exactly
+constexpr int kMoreDigits = 60;  // of what is not known exactly
 
 /// A position at a frame: exact, or a ball.
 struct Position {
@@ -22,16 +22,17 @@ struct Position {
 
 /// For an integrator under a constant force: its map is affine in the launch, so two exact answers give it
 /// for every launch, sqrt(2 g H) included.
-Position position_at(FloatQuestion at, std::int64_t n, const Surd& launch) {
+Position position_at(FloatQuestion at, std::int64_t n, const Surd& launch, int bits) {
+  const int digits = bits / 4 + kMoreDigits;
   const auto answer = [&](const Rational& v0) {
     at.v0 = v0;
-    return numeric_motion(at.program, exact_question(at, n, kPositionDigits)).position;
+    return numeric_motion(at.program, exact_question(at, n, digits)).position;
   };
   const CertainNumber rest = answer(0), moving = answer(1);
   if (rest.exact && moving.exact) return {Surd(*rest.exact) + Surd(*moving.exact - *rest.exact) * launch};
-  const int bits = bits_for(kPositionDigits);
-  const Ball still = ball_of(rest, bits);
-  return {{}, still + (ball_of(moving, bits) - still) * ball_of(launch, bits)};
+  const int more = bits_for(digits);
+  const Ball still = ball_of(rest, more);
+  return {{}, still + (ball_of(moving, more) - still) * ball_of(launch, more)};
 }
 
 Ball difference(const Position& a, const Position& b, int bits) {
@@ -49,13 +50,13 @@ class Peak {
   Position parabola(const Rational& t) const { return {Surd(t) * launch_ - Surd(g_ * t * t / Rational(2))}; }
   Ball sampling(const Rational& t, int bits) const { return difference({Surd(height_)}, parabola(t), bits); }
   Ball method(const FloatQuestion& q, std::int64_t n, int bits) const {
-    return difference(parabola(Rational(n) * q.h), position_at(q, n, launch_), bits);
+    return difference(parabola(Rational(n) * q.h), position_at(q, n, launch_, bits), bits);
   }
   Ball representation(const FloatQuestion& q, const FloatQuestion& kept, std::int64_t n, int bits) const {
-    return difference(position_at(q, n, launch_), position_at(kept, n, Surd(kept.v0)), bits);
+    return difference(position_at(q, n, launch_, bits), position_at(kept, n, Surd(kept.v0), bits), bits);
   }
   static Ball rounding(const FloatQuestion& kept, const FloatNumber& computed, std::int64_t n, int bits) {
-    return difference(position_at(kept, n, Surd(kept.v0)), {Surd(computed.value)}, bits);
+    return difference(position_at(kept, n, Surd(kept.v0), bits), {Surd(computed.value)}, bits);
   }
   /// The best of the frames of half a step about the frame m.
   Ball sampling_at_half(const FloatQuestion& half, std::int64_t m, int bits) const {
@@ -86,6 +87,8 @@ Budget peak_budget(const FloatFormat& format, const FloatQuestion& question, con
   Budget b{format, q, stored(q, format)};
   const std::int64_t last = flight_frames(q, g, 1);  // back on the ground
 
+  const std::int64_t report = report_steps(format);
+
   // The peak of the run: the first of its highest frames.
   const auto peak = [&](FloatRun& run) {
     std::pair<std::int64_t, FloatNumber> best{0, run.state().first};
@@ -100,9 +103,9 @@ Budget peak_budget(const FloatFormat& format, const FloatQuestion& question, con
         best = {n, x};
         b.tracked = run.rounding();
       }
-      if (progress && n % kReportSteps == 0)
-        progress("stepping in " + format.name(), static_cast<int>(n / kReportSteps),
-                 static_cast<int>(last / kReportSteps));
+      if (progress && n % report == 0)
+        progress("stepping in " + format.name(), static_cast<int>(n / report),
+                 static_cast<int>(last / report));
     }
     return best;
   };
@@ -111,7 +114,7 @@ Budget peak_budget(const FloatFormat& format, const FloatQuestion& question, con
   const FloatNumber again = peak(*second_run(format, q)).second;
   const std::int64_t m = b.steps = first.first;
 
-  const int bits = bits_for(kBudgetDigits);
+  const int bits = bits_for(first_digits(format));
   const Peak exact(jump.launch, height, g);
   std::vector<BudgetTerm> terms{{"sampling", exact.sampling(Rational(m) * q.h, bits)},
                                 {"method", exact.method(q, m, bits)},
@@ -148,7 +151,7 @@ Ball landing(const Motion& motion, std::int64_t most, const Rational& h, const s
 
 RunPassings run_landing(FloatRun& run, std::int64_t most, const Rational& h, const FloatFormat& format,
                         const Progress& progress) {
-  RunPassings found = run_passings(run, 0, 1, 1, most, h, format.name(), progress);
+  RunPassings found = run_passings(run, 0, 1, 1, most, h, format, progress);
   if (found.not_finite_at) return found;
   if (found.frames.empty())
     throw Unable("the run in " + format.name() + " has not come down again after " + std::to_string(most) +
@@ -185,7 +188,7 @@ Budget landing_budget(const FloatFormat& format, const FloatQuestion& question, 
                    progress);
   };
   const Surd truth = Surd(Rational(2) / g) * jump.launch;
-  for (int digits = kBudgetDigits;; digits *= 2) {
+  for (int digits = first_digits(format);; digits *= 2) {
     const int bits = bits_for(digits);
     const Ball sampled = exact(q.h, bits), ideal = map(q, bits), kept = kept_map(b.stored, bits);
     std::vector<BudgetTerm> terms{{"sampling", ball_of(truth, bits) - sampled},
@@ -197,7 +200,7 @@ Budget landing_budget(const FloatFormat& format, const FloatQuestion& question, 
     if (b.lines[0].closes() || digits >= kMostBudgetDigits) break;
   }
   put_first_difference(b);
-  const int bits = bits_for(kBudgetDigits);
+  const int bits = bits_for(first_digits(format));
   put_remedies(b, {[&](const FloatQuestion& half) { return exact(half.h, bits) - map(half, bits); },
                    [&](const FloatQuestion& kept) { return map(q, bits) - kept_map(kept, bits); },
                    [&](const FloatFormat& other) -> std::optional<Ball> {

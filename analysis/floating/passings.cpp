@@ -181,7 +181,8 @@ std::vector<Ball> passing_times(const Motion& motion, const Passings& passings, 
 }
 
 RunPassings run_passings(FloatRun& run, const Rational& level, int side, std::size_t count, std::int64_t most,
-                         const Rational& h, const std::string& format, const Progress& progress) {
+                         const Rational& h, const FloatFormat& format, const Progress& progress) {
+  const std::int64_t report = report_steps(format);
   RunPassings found;
   Rational before = run.state().first.value - level;
   for (std::int64_t n = 1; n <= most && found.frames.size() < count; ++n) {
@@ -199,9 +200,8 @@ RunPassings run_passings(FloatRun& run, const Rational& level, int side, std::si
       side = -side;
     }
     before = after;
-    if (progress && n % kReportSteps == 0)
-      progress("stepping in " + format, static_cast<int>(n / kReportSteps),
-               static_cast<int>(most / kReportSteps));
+    if (progress && n % report == 0)
+      progress("stepping in " + format.name(), static_cast<int>(n / report), static_cast<int>(most / report));
   }
   return found;
 }

@@ -57,6 +57,6 @@ struct RunPassings {
   std::optional<std::int64_t> not_finite_at;
 };
 RunPassings run_passings(FloatRun& run, const Rational& level, int side, std::size_t count, std::int64_t most,
-                         const Rational& h, const std::string& format, const Progress& progress = {});
+                         const Rational& h, const FloatFormat& format, const Progress& progress = {});
 
 }  // namespace shortfall

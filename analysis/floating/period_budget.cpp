@@ -109,8 +109,7 @@ class Reader {
     std::optional<std::int64_t> not_finite_at;
   };
   Run run(FloatRun& run, const FloatFormat& format) const {
-    const RunPassings p =
-        run_passings(run, o_.level, o_.side, count(), most(q_.h), q_.h, format.name(), progress_);
+    const RunPassings p = run_passings(run, o_.level, o_.side, count(), most(q_.h), q_.h, format, progress_);
     if (p.not_finite_at) return {{}, 0, p.not_finite_at};
     if (p.frames.size() < count()) throw too_few("the run in " + format.name(), p.frames.size(), most(q_.h));
     return {(p.times.back() - p.times.front()) / Rational(periods_), p.frames.back(), {}};
@@ -146,7 +145,7 @@ Budget period_budget(const FloatFormat& format, const FloatQuestion& q, int peri
   const Reader::Run second = reader.run(*second_run(format, q), format);
   b.steps = first.last;
   const Oscillation& o = reader.oscillation_of();
-  for (int digits = kBudgetDigits;; digits *= 2) {
+  for (int digits = first_digits(format);; digits *= 2) {
     const int bits = bits_for(digits);
     const Ball truth = o.period(bits), sampled = reader.truly(q, bits), ideal = reader.map(q, q.h, bits),
                kept = reader.map(b.stored, q.h, bits);
@@ -159,7 +158,7 @@ Budget period_budget(const FloatFormat& format, const FloatQuestion& q, int peri
     if (b.lines[0].closes() || digits >= kMostBudgetDigits) break;
   }
   put_first_difference(b);
-  const int bits = bits_for(kBudgetDigits);
+  const int bits = bits_for(first_digits(format));
   put_remedies(
       b,
       {[&](const FloatQuestion& half) { return reader.truly(half, bits) - reader.map(half, half.h, bits); },

@@ -137,6 +137,23 @@ TEST_CASE("the bound of rounding looks at the start, too, where x and v may be l
   }
 }
 
+TEST_CASE("wide formats have parts with digits, too") {
+  for (const char* format : {"f128", "mpfr:100", "mpfr:500"}) {
+    CAPTURE(format);
+    const FloatFormat f = float_format(format);
+    const Rational unit = Rational(1, 2).pow(f.storage().precision);
+    for (const Budget& b : {budget(f, question("rk4", "spring:k=1", Rational(1, 10)), 50),
+                            peak_budget(f, question("rk4", "constant", Rational(1, 50)), Rational(17, 10),
+                                        Rational(981, 100))}) {
+      const Ball& rounding = term(b.lines[0], "rounding").value;
+      REQUIRE(b.lines[0].closes());
+      REQUIRE(rounding.significant(9).has_value());
+      CHECK(rounding.midpoint().abs() < unit * Rational(100));
+      CHECK(rounding.midpoint().abs() > unit / Rational(100));
+    }
+  }
+}
+
 TEST_CASE("runs that blow up say when, and too many steps are refused with a way out") {
   const Budget b =
       budget(float_format("f16"), question("explicit-euler", "spring:k=100", Rational(1, 2)), 1000);
