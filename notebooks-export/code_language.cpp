@@ -7,7 +7,7 @@
 #include <set>
 
 #include "analysis/algebra/error.hpp"
-#include "analysis/program/print.hpp"
+#include "analysis/program/code_writer.hpp"
 
 namespace shortfall {
 
@@ -80,58 +80,20 @@ std::optional<std::string> short_decimal(const Rational& value) {
   return std::nullopt;
 }
 
-/// How tightly a piece of code binds: sum < product < sign < atom, the same in all six languages.
-enum Binding { kSum, kProduct, kSign, kAtom };
-
-struct Piece {
-  std::string text;
-  Binding binding;
-};
-
-class Writer {
+class Writer : public CodeWriter {
  public:
   Writer(Language language, const std::map<std::string, std::string>& names)
       : language_(language), names_(names) {}
 
-  Piece of(const Expr& e) const {
-    using Op = Expression::Op;
-    switch (e->op) {
-      case Op::number:
-        return of_number(e->value);
-      case Op::name: {
-        const auto found = names_.find(e->name);
-        return {found != names_.end() ? found->second : identifier(e->name, language_), kAtom};
-      }
-      case Op::negate:
-        return of_negative(e->operands[0]);
-      case Op::add:
-        return {bound(e->operands[0], kSum) + " + " + bound(e->operands[1], kProduct), kSum};
-      case Op::subtract:
-        return {bound(e->operands[0], kSum) + " - " + bound(e->operands[1], kProduct), kSum};
-      case Op::multiply:
-        return {bound(e->operands[0], kProduct) + " * " + bound(e->operands[1], kSign), kProduct};
-      case Op::divide:
-        return {bound(e->operands[0], kProduct) + " / " + bound(e->operands[1], kSign), kProduct};
-      case Op::power:
-        return of_power(e);
-      case Op::call:
-        if (const std::string f = function(e->name); !f.empty()) return of_call(f, e);
-        break;
-      case Op::force:
-      case Op::sum:
-        break;
-    }
-    throw Unable("'" + print(e) + "' is no formula of scalars: we cannot write it in " + title(language_));
-  }
-
  private:
-  std::string bound(const Expr& e, Binding least) const {
-    const Piece piece = of(e);
-    return piece.binding < least ? "(" + piece.text + ")" : piece.text;
+  std::string title() const override { return shortfall::title(language_); }
+
+  std::string of_name(const std::string& name) const override {
+    const auto found = names_.find(name);
+    return found != names_.end() ? found->second : identifier(name, language_);
   }
 
-  /// A function of the language; empty for one that steps do not use.
-  std::string function(const std::string& name) const {
+  std::string function(const std::string& name) const override {
     const bool known = name == "sqrt" || name == "exp" || name == "pow" || name == "max" || name == "min";
     if (!known) return {};
     switch (language_) {
@@ -152,19 +114,6 @@ class Writer {
     return {};
   }
 
-  Piece of_call(const std::string& function, const Expr& e) const {
-    std::string arguments;
-    for (const Expr& operand : e->operands) arguments += (arguments.empty() ? "" : ", ") + of(operand).text;
-    return {function + "(" + arguments + ")", function.starts_with("(") ? kSign : kAtom};
-  }
-
-  /// The sign goes to the first factor, which is the same number.
-  Piece of_negative(const Expr& e) const {
-    const Piece piece = of(e);
-    if (piece.binding < kProduct || piece.text.starts_with("-")) return {"-(" + piece.text + ")", kSign};
-    return {"-" + piece.text, piece.binding == kProduct ? kProduct : kSign};
-  }
-
   std::string whole(const std::string& digits) const {
     switch (language_) {
       case Language::csharp:
@@ -180,11 +129,7 @@ class Writer {
     return digits;
   }
 
-  Piece of_number(const Rational& value) const {
-    if (value.sign() < 0) {
-      const Piece size = of_number(-value);
-      return {"-" + size.text, size.binding == kProduct ? kProduct : kSign};
-    }
+  Piece of_number(const Rational& value) const override {
     if (const auto decimal = short_decimal(value)) return {whole(*decimal), kAtom};
     if (value.is_integer()) return {whole(value.str()), kAtom};
     // A quotient rounds once only while both of its numbers are exact in binary32.
@@ -201,24 +146,6 @@ class Writer {
     if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
     text.erase(text.find_last_not_of('0') + 1);
     return text.back() == '.' ? text + "0" : text;
-  }
-
-  /// x x x from the left, as a step that shortfall runs multiplies.
-  Piece of_power(const Expr& e) const {
-    constexpr std::int64_t kLargest = 32;
-    const Expr& raw = e->operands[1];
-    const Rational exponent = raw->op == Expression::Op::negate ? -raw->operands[0]->value : raw->value;
-    std::int64_t count = 0;
-    if (!exponent.fits_int64(count) || std::abs(count) > kLargest)
-      throw Unable("the power '" + print(e) + "' is written as a product only up to " +
-                   std::to_string(kLargest));
-    if (count == 0) return of_number(1);
-    const std::string base = bound(e->operands[0], kAtom);
-    std::string text = base;
-    for (std::int64_t k = 1; k < std::abs(count); ++k) text += " * " + base;
-    const bool single = std::abs(count) == 1;
-    if (count > 0) return {text, single ? kAtom : kProduct};
-    return {whole("1") + " / " + (single ? text : "(" + text + ")"), kProduct};
   }
 
   Language language_;
@@ -274,7 +201,7 @@ std::string constant_identifier(const std::string& name, Language language) {
 std::string literal(const Rational& value, Language language) { return code(number(value), language); }
 
 std::string code(const Expr& e, Language language, const std::map<std::string, std::string>& names) {
-  return Writer(language, names).of(e).text;
+  return Writer(language, names).text(e);
 }
 
 }  // namespace shortfall

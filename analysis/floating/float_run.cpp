@@ -12,8 +12,6 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kRootDigits = 120;
-
 /// A number of the question as the format stores it.
 class Storage {
  public:
@@ -191,7 +189,7 @@ FloatQuestion stored(const FloatQuestion& question, const FloatFormat& format) {
   for (Approximation& a : q.program.approximations) a.value = storage(a.value, a.name);
   for (const Root& r : q.program.roots)
     q.program.approximations.push_back(
-        {r.name, storage(near(*r.value, kRootDigits), r.name), r.value->significant(20), r.place});
+        {r.name, storage(near(*r.value, kRoundedRootDigits), r.name), r.value->significant(20), r.place});
   q.program.roots.clear();
   store(q.program.start, storage);
   store(q.program.step, storage);

@@ -20,12 +20,6 @@ Unable irrational(Function f, const std::string& arguments) {
 
 }  // namespace
 
-Rational near(const RealRoot& root, int digits) {
-  if (root.is_rational()) return root.rational();
-  const RealRoot fine = root.refined(Rational(1) / Rational(10).pow(root.places(digits)));
-  return (fine.low() + fine.high()) / Rational(2);
-}
-
 Rational value_of(Function f, const Rational& a, const Rational& b) {
   const Surd value = value_of(f, Surd(a), Surd(b));
   if (!value.is_rational()) throw irrational(f, shown(a));

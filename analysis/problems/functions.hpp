@@ -18,10 +18,6 @@ namespace shortfall {
 Rational value_of(Function f, const Rational& a, const Rational& b);
 Surd value_of(Function f, const Surd& a, const Surd& b);
 
-/// A rational within about 10^-digits, relatively, of an algebraic number; the number itself when it is
-/// rational.
-Rational near(const RealRoot& root, int digits);
-
 /// The same in numbers that round: the C library's functions, one rounding each as far as it rounds
 /// correctly.
 template <class T>

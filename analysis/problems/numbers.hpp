@@ -14,6 +14,7 @@
 #include "analysis/algebra/real_roots.hpp"
 #include "analysis/algebra/surd.hpp"
 #include "analysis/problems/functions.hpp"
+#include "analysis/problems/stage_solver.hpp"
 
 namespace shortfall {
 
@@ -41,7 +42,7 @@ struct Numbers {
 
   std::function<T(const T& x, const T& v, const T& t)> force;
   std::function<T(const Rational&)> round = usual_rounding<T>();
-  int root_digits = 120;  ///< decimal digits of an irrational root before it is rounded to T
+  int root_digits = kRoundedRootDigits;  ///< decimal digits of an irrational root before it is rounded to T
 
   Scalar number(const Rational& value) const { return round(value); }
   std::optional<Scalar> parameter(int, bool) const { return std::nullopt; }
@@ -69,30 +70,25 @@ struct Numbers {
     return size_limit / size(measured) * v;
   }
 
-  /// Newton's iteration with the differences of f as its Jacobian, which are exact for a force that is affine
-  /// in x and v: then one round solves a stage, and in exact arithmetic nothing else is accepted. Numbers
-  /// that round go on until the residual no longer shrinks.
+  /// Numbers that round: `solve_stages`. In exact arithmetic one round of the same is the solution where the
+  /// force is affine in x and v, and nothing else is accepted.
   ///
   /// throws  Undefined  when the stage is singular;  Unable  when the force is not affine and T is exact
   template <class F>
   void solve(std::vector<Vector>& unknowns, F&& f) const {
-    for (int round = 0; round < (kExact ? 1 : 50); ++round) {
+    if constexpr (kExact) {
       const std::vector<T> at = f(unknowns);
-      const std::vector<std::vector<T>> matrix = one_minus_slopes(unknowns, at, f);
+      const auto matrix = StageParts<T>::one_minus_slopes(unknowns, at, f, number(0), number(1));
       std::vector<T> residual;
       for (std::size_t i = 0; i < at.size(); ++i) residual.push_back(at[i] - unknowns[i]);
-      const std::vector<T> move = solved(matrix, residual);
-      std::vector<T> next = unknowns;
-      for (std::size_t i = 0; i < at.size(); ++i) next[i] = next[i] + move[i];
-      if constexpr (kExact) {
-        unknowns = std::move(next);
-        if (f(unknowns) != unknowns)
-          throw Unable(
-              "the force is not affine in x and v: an implicit stage has no exact solution of this kind");
-      } else {
-        if (round > 0 && !(distance(next, f(next)) < distance(unknowns, at))) return;
-        unknowns = std::move(next);
-      }
+      const auto found = solve_linear<T>(matrix, residual);
+      if (!found.solution || !found.free_unknowns.empty()) throw Undefined(kSingularStage);
+      for (std::size_t i = 0; i < at.size(); ++i) unknowns[i] = unknowns[i] + (*found.solution)[i];
+      if (f(unknowns) != unknowns)
+        throw Unable(
+            "the force is not affine in x and v: an implicit stage has no exact solution of this kind");
+    } else {
+      solve_stages(unknowns, f, number(0), number(1));
     }
   }
 
@@ -108,59 +104,7 @@ struct Numbers {
 
   static constexpr bool kExact = std::is_same_v<T, Rational> || std::is_same_v<T, Surd>;
 
-  /// The matrix of 1 - f', column by column.
-  template <class F>
-  std::vector<std::vector<T>> one_minus_slopes(const std::vector<T>& unknowns, const std::vector<T>& at,
-                                               F&& f) const {
-    const std::size_t count = unknowns.size();
-    std::vector<std::vector<T>> matrix(count, std::vector<T>(count, number(0)));
-    for (std::size_t j = 0; j < count; ++j) {
-      std::vector<T> moved = unknowns;
-      moved[j] = moved[j] + number(1);
-      const T width = moved[j] - unknowns[j];
-      const std::vector<T> there = f(moved);
-      for (std::size_t i = 0; i < count; ++i)
-        matrix[i][j] = number(i == j ? 1 : 0) - (there[i] - at[i]) / width;
-    }
-    return matrix;
-  }
-
-  std::vector<T> solved(std::vector<std::vector<T>> matrix, std::vector<T> right) const {
-    const Undefined singular("an implicit stage has no unique solution: its linear system is singular");
-    if constexpr (kExact) {
-      const auto found = solve_linear<T>(matrix, right);
-      if (!found.solution || !found.free_unknowns.empty()) throw singular;
-      return *found.solution;
-    } else {
-      // Elimination with the largest pivot of each column.
-      const std::size_t count = right.size();
-      for (std::size_t p = 0; p < count; ++p) {
-        std::size_t best = p;
-        for (std::size_t row = p + 1; row < count; ++row)
-          if (size(matrix[best][p]) < size(matrix[row][p])) best = row;
-        if (matrix[best][p] == number(0)) throw singular;
-        std::swap(matrix[best], matrix[p]);
-        std::swap(right[best], right[p]);
-        for (std::size_t row = 0; row < count; ++row) {
-          if (row == p) continue;
-          const T factor = matrix[row][p] / matrix[p][p];
-          for (std::size_t k = p; k < count; ++k) matrix[row][k] = matrix[row][k] - factor * matrix[p][k];
-          right[row] = right[row] - factor * right[p];
-        }
-      }
-      for (std::size_t p = 0; p < count; ++p) right[p] = right[p] / matrix[p][p];
-      return right;
-    }
-  }
-
   T size(const T& value) const { return value < number(0) ? T(-value) : value; }
-
-  T distance(const std::vector<T>& a, const std::vector<T>& b) const {
-    T largest = number(0);
-    for (std::size_t i = 0; i < a.size(); ++i)
-      if (const T d = size(a[i] - b[i]); largest < d) largest = d;
-    return largest;
-  }
 };
 
 }  // namespace shortfall

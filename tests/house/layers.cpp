@@ -23,6 +23,8 @@ const std::vector<std::string_view> kLayers = {
     "analysis/correction/",
     "analysis/audit/",
     "analysis/floating/",
+    "native/",  // written by the build
+    "analysis/native/",
     "analysis/trade/",
     "analysis/identify/",
     "analysis/shortfall.hpp",
@@ -79,6 +81,7 @@ std::vector<std::string> upward_includes(const SourceFile& file) {
 std::vector<std::string> printing(const SourceFile& file) {
   std::vector<std::string> findings;
   if (is_on_top(file.path) || file.path.starts_with("cli/")) return findings;
+  if (file.path.find("/generator/") != std::string::npos) return findings;  // a program that the build runs
   const std::string text = code(file.text);
   int number = 0;
   for (std::string_view line : lines(text)) {
