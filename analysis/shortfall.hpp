@@ -24,6 +24,8 @@
 #include "analysis/motion/linear_derivation.hpp"
 #include "analysis/motion/numeric_motion.hpp"
 #include "analysis/motion/verify.hpp"
+#include "analysis/native/native_many.hpp"
+#include "analysis/native/native_run.hpp"
 #include "analysis/problems/linear_force.hpp"
 #include "analysis/problems/numbers.hpp"
 #include "analysis/program/catalogue.hpp"

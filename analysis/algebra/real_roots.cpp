@@ -222,10 +222,4 @@ Rational simplest_between(const Rational& low, const Rational& high) {
   return whole + Rational(1) / simplest_between(Rational(1) / above, Rational(1) / below);
 }
 
-Rational near(const RealRoot& root, int digits) {
-  if (root.is_rational()) return root.rational();
-  const RealRoot fine = root.refined(Rational(1) / Rational(10).pow(root.places(digits)));
-  return (fine.low() + fine.high()) / Rational(2);
-}
-
 }  // namespace shortfall

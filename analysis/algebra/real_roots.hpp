@@ -69,13 +69,6 @@ RealRoot square_root(const RealRoot& square);
 /// number * factor, for a factor > 0.
 RealRoot scaled(const RealRoot& number, const Rational& factor);
 
-/// A rational within about 10^-digits, relatively, of an algebraic number; the number itself when it is
-/// rational.
-Rational near(const RealRoot& root, int digits);
-
-/// So many digits of an irrational root are taken before it is rounded to a number of limited precision.
-inline constexpr int kRoundedRootDigits = 120;
-
 /// The rational of smallest denominator (then smallest numerator) with low < r < high.
 Rational simplest_between(const Rational& low, const Rational& high);
 

@@ -27,7 +27,8 @@ std::optional<std::string> why_not_native(const Program& program) {
     if (r.integrator == program.name) return std::string(r.reason);
   const auto own = std::ranges::find(catalogue(), program.name, &Program::name);
   if (own == catalogue().end() || !same(*own, program))
-    return program.name + " is no integrator of the catalogue: only these were compiled when shortfall was built";
+    return program.name +
+           " is no integrator of the catalogue: only these were compiled when shortfall was built";
   return std::nullopt;
 }
 

@@ -20,9 +20,17 @@ namespace shortfall {
 template <class S>
 class ForceReference {
  public:
+  using Function = void (*)(std::span<const S> x, std::span<const S> v, S t, std::span<S> a);
+
+  ForceReference(Function f)  // NOLINT: converts on purpose
+      : object_(reinterpret_cast<void*>(f)),
+        call_([](void* object, std::span<const S> x, std::span<const S> v, S t, std::span<S> a) {
+          reinterpret_cast<Function>(object)(x, v, t, a);
+        }) {}
+
   template <class F>
-    requires(!std::is_same_v<std::remove_cvref_t<F>, ForceReference>)
-  ForceReference(F& f)  // NOLINT: converts on purpose
+  requires(std::is_class_v<F> && !std::is_same_v<std::remove_cv_t<F>, ForceReference>)
+      ForceReference(F& f)  // NOLINT: converts on purpose
       : object_(const_cast<void*>(static_cast<const void*>(&f))),
         call_([](void* object, std::span<const S> x, std::span<const S> v, S t, std::span<S> a) {
           (*static_cast<F*>(object))(x, v, t, a);
@@ -37,7 +45,8 @@ class ForceReference {
   void (*call_)(void*, std::span<const S>, std::span<const S>, S, std::span<S>);
 };
 
-/// A trajectory by compiled code, with the bits of the interpreter's: in one dimension those of `Run<Numbers<S>>`.
+/// A trajectory by compiled code, with the bits of the interpreter's: in one dimension those of
+/// `Run<Numbers<S>>`.
 template <class S>
 class NativeRun {
  public:

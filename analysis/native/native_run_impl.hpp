@@ -47,9 +47,10 @@ class NativeRunOf : public NativeRun<S> {
  public:
   explicit NativeRunOf(const NativeSetup<S>& setup)
       : dimension_(setup.dimension),
-        stepper_(setup.h, zero(), Force{setup.force, &evaluations_},
-                 [](const char* text) { return nearest<S>(Rational::parse(text)); },
-                 parameters(setup.parameters)) {}
+        stepper_(
+            setup.h, zero(), Force{setup.force, &evaluations_},
+            [](const char* text) { return nearest<S>(Rational::parse(text)); },
+            parameters(setup.parameters)) {}
   NativeRunOf(const NativeRunOf&) = delete;
   NativeRunOf& operator=(const NativeRunOf&) = delete;
 

@@ -70,7 +70,9 @@ struct ComponentsOf<BoundedVector<S, Most>> {
   static BoundedVector<S, Most> made(std::size_t size) { return BoundedVector<S, Most>::unfilled(size); }
 };
 template <class V>
-concept Dense = requires { typename ComponentsOf<V>::Scalar; };
+concept Dense = requires {
+  typename ComponentsOf<V>::Scalar;
+};
 
 template <Dense V, class Operation>
 V by_component(const V& like, const Operation& operation) {

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/near_root.hpp"
 #include "analysis/algebra/rational.hpp"
-#include "analysis/algebra/real_roots.hpp"
 #include "analysis/algebra/surd.hpp"
 #include "analysis/program/function.hpp"
 

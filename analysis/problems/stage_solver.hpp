@@ -123,8 +123,7 @@ void newton_iteration(Unknowns& unknowns, const StageFunction<Unknowns>& f, cons
       for (std::size_t j = 0; j < count; ++j) {
         const T width = entry(moved[j], j, lane) - entry(unknowns, j, lane);
         for (std::size_t i = 0; i < count; ++i)
-          matrix[i][j] =
-              (i == j ? one : zero) - (entry(there[j], i, lane) - entry(at, i, lane)) / width;
+          matrix[i][j] = (i == j ? one : zero) - (entry(there[j], i, lane) - entry(at, i, lane)) / width;
       }
       for (std::size_t i = 0; i < count; ++i) residual[i] = entry(at, i, lane) - entry(unknowns, i, lane);
       const std::vector<T> move = StageParts<T>::solved(matrix, residual, zero);
@@ -145,9 +144,9 @@ void newton_iteration(Unknowns& unknowns, const StageFunction<Unknowns>& f, cons
   }
 }
 
-/// Makes unknowns = f(unknowns) true in numbers that round, by Newton's iteration with the differences of f as
-/// its Jacobian: for a force that is affine in x and v one round solves the stage, and it goes on until the
-/// residual no longer shrinks, 50 rounds at most. Every lane does what it would do alone.
+/// Makes unknowns = f(unknowns) true in numbers that round, by Newton's iteration with the differences of f
+/// as its Jacobian: for a force that is affine in x and v one round solves the stage, and it goes on until
+/// the residual no longer shrinks, 50 rounds at most. Every lane does what it would do alone.
 ///
 /// param   unknowns  a std::vector or std::array of vectors: a first guess, then the solution
 /// throws  Undefined  when the stage is singular

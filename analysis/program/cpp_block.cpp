@@ -143,8 +143,9 @@ void CppBlock::solve(const Statement& s, const Clock& clock) {
   const std::string type = "std::array<V, " + std::to_string(s.unknowns.size()) + ">";
   std::string guesses, values;
   for (const Unknown& u : s.unknowns) {  // a position begins at x, a velocity at v
-    const std::string guess =
-        u.dimension == kLength ? names_("x") : u.dimension == kVelocity ? names_("v") : "zero_";
+    const std::string guess = u.dimension == kLength     ? names_("x")
+                              : u.dimension == kVelocity ? names_("v")
+                                                         : "zero_";
     guesses += (guesses.empty() ? "" : ", ") + guess;
     vectors_.insert(u.name);
   }

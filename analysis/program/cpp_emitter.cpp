@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/near_root.hpp"
 #include "analysis/program/cpp_block.hpp"
 #include "analysis/program/tape.hpp"
 
@@ -12,6 +13,12 @@ namespace shortfall {
 namespace {
 
 using Names = std::map<std::string, std::string>;
+
+bool has_implicit_stages(const std::vector<Statement>& block) {
+  for (const Statement& s : block)
+    if (s.kind == Statement::Kind::solve || has_implicit_stages(s.body)) return true;
+  return false;
+}
 
 bool counts_substeps(const std::vector<Statement>& block, const std::string& name) {
   for (const Statement& s : block)
@@ -43,10 +50,11 @@ class Emitter {
       constants_.add(known[r.name] = names_(r.name), text_number(near(*r.value, kRoundedRootDigits)));
     for (const Approximation& a : program.approximations)
       constants_.add(known[a.name] = names_(a.name), text_number(a.value));
-    for (auto [block, lines, indentation] : {std::tuple{&program.start, &start_, 2},
-                                             std::tuple{&program.step, &step_, 3},
-                                             std::tuple{&program.finish, &finish_, 2}})
-      *lines = CppBlock(program, names_, constants_, known).lines(*block, block == &program.step, indentation);
+    for (auto [block, lines, indentation] :
+         {std::tuple{&program.start, &start_, 2}, std::tuple{&program.step, &step_, 3},
+          std::tuple{&program.finish, &finish_, 2}})
+      *lines =
+          CppBlock(program, names_, constants_, known).lines(*block, block == &program.step, indentation);
   }
 
   CppClass result() {
@@ -138,7 +146,8 @@ class Emitter {
   }
 
   void store() {
-    for (const std::string& name : kept_) out_ << "    " << member(names_(name)) << " = " << names_(name) << ";\n";
+    for (const std::string& name : kept_)
+      out_ << "    " << member(names_(name)) << " = " << names_(name) << ";\n    apart();\n";
     out_ << "    t_ = t;\n";
   }
 
@@ -175,15 +184,20 @@ class Emitter {
     std::string vectors;
     for (const std::string& name : carried_) vectors += (vectors.empty() ? "" : ", ") + member(names_(name));
     const std::string type = "std::array<V, " + std::to_string(carried_.size()) + ">";
-    out_ << "  /// x, v and what else is carried from step to step.\n  " << type << " carried() const { return "
-         << type << "{" << vectors << "}; }\n  const S& time() const { return t_; }\n\n";
+    out_ << "  /// x, v and what else is carried from step to step.\n  " << type
+         << " carried() const { return " << type << "{" << vectors
+         << "}; }\n  const S& time() const { return t_; }\n\n";
+    const bool implicit = has_implicit_stages(program_.start) || has_implicit_stages(program_.step) ||
+                          has_implicit_stages(program_.finish);
+    out_ << "  static constexpr bool kImplicit = " << (implicit ? "true" : "false") << ";\n";
     out_ << "  static constexpr bool kReadsImpulse = " << (program_.impulse ? "true" : "false") << ";\n";
     if (program_.impulse)
       out_ << "  /// An impulse over the mass, which acts in the next step only.\n"
            << "  void give_impulse(const V& impulse) { " << member(names_(program_.impulse->name))
            << " = impulse; }\n";
     out_ << "\n private:\n  /// What stays the same from step to step.\n  struct Constants {\n"
-         << "    template <class Number>\n    Constants(const S& step, [[maybe_unused]] const Number& number,\n"
+         << "    template <class Number>\n    Constants(const S& step, [[maybe_unused]] const Number& "
+            "number,\n"
          << "              [[maybe_unused]] const Parameters& parameters) {\n";
     std::string code, fields;
     for (const CppConstants::Line& l : constants_.lines()) {
@@ -193,7 +207,8 @@ class Emitter {
     functions_of(code, "      ");
     out_ << code;
     for (const Parameter& p : program_.parameters)
-      if (is_count(p)) out_ << "      " << names_(p.name) << "_times = parameters." << names_(p.name) << "_times;\n";
+      if (is_count(p))
+        out_ << "      " << names_(p.name) << "_times = parameters." << names_(p.name) << "_times;\n";
     out_ << "    }\n" << fields;
     for (const Parameter& p : program_.parameters)
       if (is_count(p)) out_ << "    int " << names_(p.name) << "_times = 1;\n";

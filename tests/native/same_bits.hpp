@@ -55,8 +55,8 @@ std::vector<std::pair<std::string, std::function<T(const T&, const T&, const T&)
            [=](const T& x, const T& v, const T& t) { return -(k * x) / (one + x * x) - c * v * v + t; }}};
 }
 
-/// What is given to the parameters of an integrator: numbers near their defaults, so that assumptions hold; but
-/// limits so low that they act.
+/// What is given to the parameters of an integrator: numbers near their defaults, so that assumptions hold;
+/// but limits so low that they act.
 inline Values drawn_parameters(const Program& program, Draw& draw) {
   Values values = parameter_values(program);
   for (const Parameter& p : program.parameters) {
@@ -65,7 +65,8 @@ inline Values drawn_parameters(const Program& program, Draw& draw) {
       value = draw(0, 2) + Rational(1, 10);
       continue;
     }
-    if (const auto whole = literal_value(p.fallback); whole && whole->is_integer() && p.dimension == Dimension{})
+    if (const auto whole = literal_value(p.fallback);
+        whole && whole->is_integer() && p.dimension == Dimension{})
       value = whole->is_zero() ? draw(0, 1) / Rational(20) : *whole + Rational(1);
     else
       value = value * draw(1, 2) + draw(0, 1) / Rational(50);

@@ -51,14 +51,17 @@ std::string quoted(const std::string& text) {
   return result + "\"";
 }
 
-const std::string kHead = "// Written by shortfall from integrators/: every change is lost.\n#pragma once\n\n";
+const std::string kHead =
+    "// Written by shortfall from integrators/: every change is lost.\n#pragma once\n\n";
 
 /// visit.template operator()<Class>("name") for every integrator of a family.
 std::string family_header(const std::string& family, const std::vector<Entry>& entries) {
   std::string text = kHead;
   for (const Entry& e : entries) text += "#include \"native/" + e.file + "\"\n";
-  text += "\nnamespace shortfall::native {\n\n/// visit.template operator()<Class>(\"name\") for each of them.\n"
-          "template <class Visit>\nvoid visit_" + identifier(family) + "([[maybe_unused]] const Visit& visit) {\n";
+  text +=
+      "\nnamespace shortfall::native {\n\n/// visit.template operator()<Class>(\"name\") for each of them.\n"
+      "template <class Visit>\nvoid visit_" +
+      identifier(family) + "([[maybe_unused]] const Visit& visit) {\n";
   for (const Entry& e : entries)
     text += "  visit.template operator()<" + e.class_name + ">(" + quoted(e.integrator) + ");\n";
   return text + "}\n\n}  // namespace shortfall::native\n";
@@ -66,19 +69,23 @@ std::string family_header(const std::string& family, const std::vector<Entry>& e
 
 std::string index(const std::map<std::string, std::vector<Entry>>& families) {
   std::string text = kHead;
-  for (const auto& [family, entries] : families) text += "#include \"native/family_" + identifier(family) + ".hpp\"\n";
-  text += "\nnamespace shortfall::native {\n\n/// visit.template operator()<Class>(\"name\") for the whole "
-          "catalogue, as far as it can be written.\n"
-          "template <class Visit>\nvoid visit_catalogue(const Visit& visit) {\n";
+  for (const auto& [family, entries] : families)
+    text += "#include \"native/family_" + identifier(family) + ".hpp\"\n";
+  text +=
+      "\nnamespace shortfall::native {\n\n/// visit.template operator()<Class>(\"name\") for the whole "
+      "catalogue, as far as it can be written.\n"
+      "template <class Visit>\nvoid visit_catalogue(const Visit& visit) {\n";
   for (const auto& [family, entries] : families) text += "  visit_" + identifier(family) + "(visit);\n";
   return text + "}\n\n}  // namespace shortfall::native\n";
 }
 
 std::string refusals_header(const std::vector<Refusal>& refusals) {
-  std::string text = kHead + "#include <array>\n#include <string_view>\n\nnamespace shortfall::native {\n\n"
+  std::string text = kHead +
+                     "#include <array>\n#include <string_view>\n\nnamespace shortfall::native {\n\n"
                      "struct Refusal {\n  std::string_view integrator;\n  std::string_view reason;\n};\n\n"
                      "/// Integrators of the catalogue that are not written as C++, and why.\n"
-                     "inline constexpr std::array<Refusal, " + std::to_string(refusals.size()) + "> kRefusals{";
+                     "inline constexpr std::array<Refusal, " +
+                     std::to_string(refusals.size()) + "> kRefusals{";
   if (!refusals.empty()) text += "{";
   for (const Refusal& r : refusals) text += "\n    {" + quoted(r.integrator) + ", " + quoted(r.reason) + "},";
   if (!refusals.empty()) text += "}";
