@@ -29,8 +29,8 @@ using bench::time_text;
 
 namespace {
 
-constexpr int kRounds = 15;
-constexpr double kTurn = 0.02;
+constexpr int kRounds = 60;
+constexpr double kTurn = 0.004;  // short turns are seldom interrupted
 constexpr std::int64_t kSteps = 10'000;
 
 volatile double spring_constant = 1.7, time_step = 0.01, start_x = 1, start_v = 0.25;

@@ -14,7 +14,7 @@ struct Bent {
   S k, c;
   template <class V>
   V operator()(const V& x, const V& v, const S& t) const {
-    return -(k * x) / (S(1) + x * x) - c * v * v + t * x;
+    return -(k * x) / (S(1) + x * x) - c * v + t / S(8) * x / (S(1) + x * x);
   }
 };
 

@@ -2,7 +2,8 @@
 target_link_libraries(test_native PRIVATE shortfall::native quadmath MPFR::MPFR GMP::GMP Boost::headers)
 # The whole catalogue in eight number types; what is compared is bits, not speed.
 set_source_files_properties(native/small_formats.cpp native/wide_formats.cpp PROPERTIES COMPILE_OPTIONS "-O1")
-if(SHORTFALL_HAS_MAVX2 AND NOT SHORTFALL_SANITIZE)
+get_target_property(native_definitions shortfall_native COMPILE_DEFINITIONS)
+if("SHORTFALL_AVX2" IN_LIST native_definitions)
   add_test(NAME native_shared_functions
            COMMAND "${CMAKE_COMMAND}" "-DNM=${CMAKE_NM}" "-DLIBRARY=$<TARGET_FILE:shortfall_native>"
                    -P "${CMAKE_CURRENT_LIST_DIR}/shared_functions.cmake")
