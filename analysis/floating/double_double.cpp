@@ -23,6 +23,24 @@ bool finite(const DoubleDouble& a) { return std::isfinite(a.high()); }
 
 }  // namespace
 
+DoubleDouble double_double(const Rational& value) {
+  const double high = value.to_double();
+  if (!std::isfinite(high)) return DoubleDouble(high);
+  return {high, (value - Rational::from_double(high)).to_double()};
+}
+
+DoubleDouble sin(const DoubleDouble& a) {
+  if (!finite(a)) return DoubleDouble(std::sin(a.high()));
+  const Precision precision(kDigits);
+  return narrow(Real(boost::multiprecision::sin(wide(a))));
+}
+
+DoubleDouble cos(const DoubleDouble& a) {
+  if (!finite(a)) return DoubleDouble(std::cos(a.high()));
+  const Precision precision(kDigits);
+  return narrow(Real(boost::multiprecision::cos(wide(a))));
+}
+
 DoubleDouble exp(const DoubleDouble& a) {
   if (!finite(a)) return DoubleDouble(std::exp(a.high()));
   const Precision precision(kDigits);

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "analysis/algebra/rational.hpp"
+
 namespace shortfall {
 
 /// An unevaluated sum of two binary64 numbers, about 106 bits. Not an IEEE format: results are accurate to a
@@ -79,7 +81,14 @@ class DoubleDouble {
   double low_ = 0;
 };
 
+inline DoubleDouble abs(const DoubleDouble& a) { return a < DoubleDouble(0) ? -a : a; }
+
+/// The sum of two binary64 numbers that is nearest to a rational; an infinity where that overflows.
+DoubleDouble double_double(const Rational& value);
+
 /// By MPFR, rounded to the two parts.
+DoubleDouble sin(const DoubleDouble& a);
+DoubleDouble cos(const DoubleDouble& a);
 DoubleDouble exp(const DoubleDouble& a);
 DoubleDouble log(const DoubleDouble& a);
 DoubleDouble pow(const DoubleDouble& a, const DoubleDouble& b);

@@ -48,11 +48,7 @@ FloatAccess<Quad> quad_access(const FloatFormat& format) {
 
 FloatAccess<DoubleDouble> double_double_access() {
   FloatAccess<DoubleDouble> a;
-  a.rounded = [](const Rational& value) {
-    const double high = value.to_double();
-    if (!std::isfinite(high)) return DoubleDouble(high);
-    return DoubleDouble(high, (value - Rational::from_double(high)).to_double());
-  };
+  a.rounded = double_double;
   a.exact = [](const DoubleDouble& d) -> FloatNumber {
     if (std::isnan(d.high())) return {FloatNumber::Kind::not_a_number, {}};
     if (std::isinf(d.high())) return {FloatNumber::Kind::infinite, d.high() < 0 ? -1 : 1};
