@@ -73,6 +73,8 @@ void add_audit(CLI::App& app, int& code);
 void add_budget(CLI::App& app, int& code);
 void add_clock(CLI::App& app, int& code);
 void add_cycle(CLI::App& app, int& code);
+void add_trade(CLI::App& app, int& code);
+void add_advise(CLI::App& app, int& code);
 void add_extremes(CLI::App& app, int& code);
 void add_damping(CLI::App& app, int& code);
 void add_spring(CLI::App& app, int& code);

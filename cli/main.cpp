@@ -32,6 +32,8 @@ int run(int argc, char** argv) {
   add_clock(app, code);
   add_cycle(app, code);
   add_extremes(app, code);
+  add_trade(app, code);
+  add_advise(app, code);
   add_damping(app, code);
   add_spring(app, code);
   add_list(app, code);

@@ -3,6 +3,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/catalogue.hpp"
+#include "analysis/program/transform.hpp"
 #include "cli/command.hpp"
 #include "cli/quantity.hpp"
 
@@ -17,17 +18,6 @@ std::string not_a_count(const std::string& text) {
   const auto [stopped, error] = std::from_chars(text.data(), end, value);
   if (error == std::errc{} && stopped == end && value >= 1 && value <= 10'000) return {};
   return "'" + text + "' is not a whole number from 1 to 10000";
-}
-
-/// The one parameter that says how often a `substeps` of the step block repeats.
-std::optional<std::string> substep_parameter(const Program& program) {
-  std::optional<std::string> found;
-  for (const Statement& s : program.step) {
-    if (s.kind != Statement::Kind::substeps || s.value->op != Expression::Op::name) continue;
-    if (found && *found != s.value->name) return std::nullopt;
-    found = s.value->name;
-  }
-  return found;
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "notebooks-export/text_table.hpp"
+
 namespace shortfall {
 
 namespace {
@@ -47,26 +49,6 @@ std::string rounded_up(double bound) {
   std::array<char, 32> text{};
   std::snprintf(text.data(), text.size(), "%.2g", std::ceil(bound / unit) * unit);
   return text.data();
-}
-
-/// A table with its columns aligned, the first to the left.
-std::string table(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths;
-  for (const auto& row : rows)
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      if (widths.size() <= i) widths.push_back(0);
-      widths[i] = std::max(widths[i], row[i].size());
-    }
-  std::string text;
-  for (const auto& row : rows) {
-    std::string line = "  ";
-    for (std::size_t i = 0; i < row.size(); ++i) {
-      const std::string gap(widths[i] - row[i].size(), ' ');
-      line += i == 0 ? row[i] + gap : "  " + gap + row[i];
-    }
-    text += line + "\n";
-  }
-  return text;
 }
 
 std::string quantity_words(const Budget& b, const BudgetLine& l) {
@@ -219,7 +201,7 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
       }
       rows.push_back(std::move(row));
     }
-    text += "\n" + head + "\n" + table(rows);
+    text += "\n" + head + "\n" + aligned_table(rows);
   }
   text += "\n";
   for (const Budget& b : budgets) {

@@ -155,4 +155,14 @@ Program substepped(const Program& program, int count) {
   return result;
 }
 
+std::optional<std::string> substep_parameter(const Program& program) {
+  std::optional<std::string> found;
+  for (const Statement& s : program.step) {
+    if (s.kind != Statement::Kind::substeps || s.value->op != Expression::Op::name) continue;
+    if (found && *found != s.value->name) return std::nullopt;
+    found = s.value->name;
+  }
+  return found;
+}
+
 }  // namespace shortfall

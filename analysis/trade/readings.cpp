@@ -37,7 +37,8 @@ SceneObserver<T>::SceneObserver(const Scene& scene, TaylorFlow<T>& flow,
       next_time_(scene.observables.size(), 0),
       values_(scene.observables.size()) {
   for (const SceneEvent& e : scene.events)
-    events_.push_back({(e.of_velocity ? m_ : 0) + e.body * scene.dimension + e.axis, number_(e.level), e.direction});
+    events_.push_back(
+        {(e.of_velocity ? m_ : 0) + e.body * scene.dimension + e.axis, number_(e.level), e.direction});
   for (std::size_t i = 0; i < scene.observables.size(); ++i) {
     const SceneObservable& o = scene.observables[i];
     apexes_.push_back({m_ + o.body * scene.dimension + o.axis, number_(0), -1});
@@ -60,7 +61,8 @@ void SceneObserver<T>::frame(const T& t, const std::vector<T>& x, const std::vec
   v_ = v;
   for (std::size_t i = 0; i < events_.size(); ++i) {
     look(events_[i], first);
-    if (scene_.events[i].ends && !ending_ && !events_[i].passings.empty()) ending_ = events_[i].passings[0].time;
+    if (scene_.events[i].ends && !ending_ && !events_[i].passings.empty())
+      ending_ = events_[i].passings[0].time;
   }
   for (std::size_t i = 0; i < apexes_.size(); ++i) {
     const SceneObservable& o = scene_.observables[i];
@@ -87,7 +89,8 @@ void SceneObserver<T>::frame(const T& t, const std::vector<T>& x, const std::vec
       double kinetic = 0;
       for (int i = 0; i < m_; ++i) {
         const double mass = scene_.bodies[static_cast<std::size_t>(i / scene_.dimension)].mass.to_double();
-        kinetic += mass / 2 * state[static_cast<std::size_t>(m_ + i)] * state[static_cast<std::size_t>(m_ + i)];
+        kinetic +=
+            mass / 2 * state[static_cast<std::size_t>(m_ + i)] * state[static_cast<std::size_t>(m_ + i)];
       }
       first_energy_ = e;
       energy_scale_ = energy_scale(e, kinetic);
@@ -210,7 +213,8 @@ bool SceneObserver<T>::is_done() const {
   if (rough(t_) > 2 * rough(end_)) return true;
   for (std::size_t i = 0; i < scene_.observables.size(); ++i) {
     const SceneObservable& o = scene_.observables[i];
-    if (o.event && events_[static_cast<std::size_t>(*o.event)].passings.size() < static_cast<std::size_t>(o.count))
+    if (o.event &&
+        events_[static_cast<std::size_t>(*o.event)].passings.size() < static_cast<std::size_t>(o.count))
       return false;
     if (next_time_[i] < times_[i].size()) return false;
   }

@@ -17,8 +17,8 @@ template <class T>
 struct SceneReading {
   bool found = false;
   std::string why{};  ///< "the ground is never reached", when it was not found
-  /// One number (of a phase the time of its passing, then the period); the coordinates of a place; for a path all coordinates at all its times, one time after
-  /// another.
+  /// One number (of a phase the time of its passing, then the period); the coordinates of a place; for a path
+  /// all coordinates at all its times, one time after another.
   std::vector<T> value{};
 };
 

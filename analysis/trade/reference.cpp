@@ -58,8 +58,8 @@ class Computation {
       const bool is_last = rough(left) > 0 && rough(left) <= path.length();
       const T length = is_last ? left : T(path.length());
       if (!(rough(length) > 1e-300) || ++steps > kMostSeries)
-        throw Unable("the true motion of the scene '" + scene_.name + "' cannot be followed beyond t = " +
-                     std::to_string(rough(t)) + " " + scene_.units.time);
+        throw Unable("the true motion of the scene '" + scene_.name +
+                     "' cannot be followed beyond t = " + std::to_string(rough(t)) + " " + scene_.units.time);
       std::vector<T> to_x = x, to_v = v;
       for (int f = 1; f <= kFramesOfPiece; ++f) {
         const T tau = f == kFramesOfPiece ? length : T(length * number_(Rational(f, kFramesOfPiece)));
@@ -97,10 +97,12 @@ struct Found {
 
 template <class T>
 Found compute(const Scene& scene, const ForceChoice& chosen, int order, double tolerance,
-              const std::function<T(const Rational&)>& number, const Progress& progress) {
+              const std::function<T(const Rational&)>& number, const Progress& progress,
+              const std::optional<DoubleDouble>& given_end) {
   Computation<T> computation(scene, chosen, order, tolerance, number);
-  T end = number(scene.until);
-  const bool ends = std::ranges::any_of(scene.events, [](const SceneEvent& e) { return e.ends; });
+  T end = given_end ? T(given_end->high()) + T(given_end->low()) : number(scene.until);
+  const bool ends =
+      !given_end && std::ranges::any_of(scene.events, [](const SceneEvent& e) { return e.ends; });
   if (ends) {
     const auto first = computation.observe(end, true, progress);
     if (first.ending() && rough(*first.ending()) < rough(end)) end = *first.ending();
@@ -137,7 +139,8 @@ double reading_error(const Scene& scene, std::size_t observable, const SceneRead
       return distance(exact.value.data(), computed.value.data(), d);
     case Kind::path: {
       double largest = 0;
-      for (std::size_t i = 0; i + static_cast<std::size_t>(d) <= exact.value.size(); i += static_cast<std::size_t>(d)) {
+      for (std::size_t i = 0; i + static_cast<std::size_t>(d) <= exact.value.size();
+           i += static_cast<std::size_t>(d)) {
         const double off = distance(&exact.value[i], &computed.value[i], d);
         if (!(off <= largest)) largest = off;
       }
@@ -152,7 +155,8 @@ double reading_error(const Scene& scene, std::size_t observable, const SceneRead
   }
 }
 
-SceneReference scene_reference(const Scene& scene, int digits, const ForceChoice& chosen, const Progress& progress) {
+SceneReference scene_reference(const Scene& scene, int digits, const ForceChoice& chosen,
+                               const Progress& progress, const std::optional<DoubleDouble>& end) {
   for (const SceneObservable& o : scene.observables) {
     std::string why;
     if (o.kind == Kind::energy_drift && !energy_tape(scene, chosen, &why))
@@ -162,8 +166,8 @@ SceneReference scene_reference(const Scene& scene, int digits, const ForceChoice
   Found first, second;
   if (digits <= 30) {
     const std::function<DoubleDouble(const Rational&)> number = double_double;
-    first = compute<DoubleDouble>(scene, chosen, 22, 1e-31, number, progress);
-    second = compute<DoubleDouble>(scene, chosen, 28, 1e-33, number, progress);
+    first = compute<DoubleDouble>(scene, chosen, 22, 1e-31, number, progress, end);
+    second = compute<DoubleDouble>(scene, chosen, 28, 1e-33, number, progress, end);
     result.how = "power series of order 22 and 28";
   } else {
     if (digits > 250) throw BadInput("a reference has at most 250 digits");
@@ -171,9 +175,11 @@ SceneReference scene_reference(const Scene& scene, int digits, const ForceChoice
     const Precision precision(kept);
     const std::function<Real(const Rational&)> number = [kept](const Rational& r) { return real(r, kept); };
     const int order = static_cast<int>(digits * 0.9) + 8;
-    first = compute<Real>(scene, chosen, order, std::pow(10.0, -digits - 2), number, progress);
-    second = compute<Real>(scene, chosen, order + order / 4, std::pow(10.0, -digits - 6), number, progress);
-    result.how = "power series of order " + std::to_string(order) + " and " + std::to_string(order + order / 4);
+    first = compute<Real>(scene, chosen, order, std::pow(10.0, -digits - 2), number, progress, end);
+    second =
+        compute<Real>(scene, chosen, order + order / 4, std::pow(10.0, -digits - 6), number, progress, end);
+    result.how =
+        "power series of order " + std::to_string(order) + " and " + std::to_string(order + order / 4);
   }
   result.digits = digits;
   result.end = second.end;
@@ -187,8 +193,9 @@ SceneReference scene_reference(const Scene& scene, int digits, const ForceChoice
                            ? 0
                            : std::fabs(reading_error(scene, i, second.readings[i], first.readings[i]));
     if (!(off <= o.tolerance.to_double() / 1000))
-      throw Unable("the true value of '" + o.name + "' is known only to " + Rational::from_double(off).significant(2) +
-                   " " + o.unit + ", and the tolerance is " + o.tolerance.significant(3) + " " + o.unit +
+      throw Unable("the true value of '" + o.name + "' is known only to " +
+                   Rational::from_double(off).significant(2) + " " + o.unit + ", and the tolerance is " +
+                   o.tolerance.significant(3) + " " + o.unit +
                    ": ask for more digits (--digits), or look earlier");
     result.uncertain.push_back(off);
     if (o.kind == Kind::energy_drift) result.readings[i].value = {DoubleDouble(0)};

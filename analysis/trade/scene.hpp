@@ -16,29 +16,29 @@ namespace shortfall {
 struct SceneForce {
   /// The letters are those of `numbers`, in this order; vectors have d components.
   enum class Kind {
-    constant,         ///< a (d)
-    polynomial,       ///< f0 (d), f1 (d), ...: f0 + f1 t + ...
-    linear_drag,      ///< c, w (d): -c (v - w)
-    quadratic_drag,   ///< k, w (d): -k |v - w| (v - w)
-    spring,           ///< k, c, x0 (d), length: -k (1 - length/r) (x - x0) - c v along x - x0 (all of v if length 0)
-    link,             ///< K, C, length: a spring and damper between two bodies, over their masses
-    pendulum,         ///< w2: -w2 sin(x), x the angle
-    kepler,           ///< mu, centre (d): -mu (x - centre)/r^3
-    n_body,           ///< G: every body pulls every other one
-    height,           ///< g, R: -g R^2/(R + x_last)^2 in the last coordinate
-    lorentz,          ///< E (d), B (3): E + v x B, charge over mass included
-    coriolis,         ///< W (3), 1 or 0: -2 W x v - W x (W x x), the second only for 1
-    expression,       ///< of x, y, z, vx, vy, vz, t
-    potential,        ///< a = -gradient of an expression
+    constant,        ///< a (d)
+    polynomial,      ///< f0 (d), f1 (d), ...: f0 + f1 t + ...
+    linear_drag,     ///< c, w (d): -c (v - w)
+    quadratic_drag,  ///< k, w (d): -k |v - w| (v - w)
+    spring,    ///< k, c, x0 (d), length: -k (1 - length/r) (x - x0) - c v along x - x0 (all of v if length 0)
+    link,      ///< K, C, length: a spring and damper between two bodies, over their masses
+    pendulum,  ///< w2: -w2 sin(x), x the angle
+    kepler,    ///< mu, centre (d): -mu (x - centre)/r^3
+    n_body,    ///< G: every body pulls every other one
+    height,    ///< g, R: -g R^2/(R + x_last)^2 in the last coordinate
+    lorentz,   ///< E (d), B (3): E + v x B, charge over mass included
+    coriolis,  ///< W (3), 1 or 0: -2 W x v - W x (W x x), the second only for 1
+    expression,  ///< of x, y, z, vx, vy, vz, t
+    potential,   ///< a = -gradient of an expression
   };
   Kind kind = Kind::constant;
-  std::string name;           ///< "gravity", as the scene calls it
-  std::vector<int> bodies;    ///< whom it acts on; of a link: the two
+  std::string name;         ///< "gravity", as the scene calls it
+  std::vector<int> bodies;  ///< whom it acts on; of a link: the two
   std::vector<Rational> numbers;
   std::vector<Expr> expressions;  ///< d of them, or the one potential
-  bool held = false;  ///< evaluated once a frame, for all of its substeps
-  bool by_engine = false;  ///< the integrator of the budget does it itself, and is not asked for it
-  int line = 0;       ///< where the scene says it
+  bool held = false;              ///< evaluated once a frame, for all of its substeps
+  bool by_engine = false;         ///< the integrator of the budget does it itself, and is not asked for it
+  int line = 0;                   ///< where the scene says it
 };
 
 struct SceneBody {
@@ -66,10 +66,10 @@ struct SceneObservable {
     velocity,  ///< likewise
     peak,      ///< the highest value of a coordinate
     apex_time,
-    event_time,   ///< of the `count`th passing
-    event_place,  ///< where the body is then: the distance from the true place
-    period,       ///< mean time between the first and the `count`th passing
-    phase,        ///< 2 pi times the time by which the `count`th passing is late, over the true period
+    event_time,    ///< of the `count`th passing
+    event_place,   ///< where the body is then: the distance from the true place
+    period,        ///< mean time between the first and the `count`th passing
+    phase,         ///< 2 pi times the time by which the `count`th passing is late, over the true period
     energy_drift,  ///< largest |E - E0|/|E0| over the frames
     path,          ///< largest distance from the true path at `count` times
   };
@@ -79,19 +79,21 @@ struct SceneObservable {
   int axis = -1;             ///< -1: the last one
   std::optional<int> event;  ///< index
   int count = 1;
-  Rational at;               ///< for position and velocity: the time
-  bool at_frames = false;    ///< a peak: the highest frame, not the top between frames
-  Rational tolerance;        ///< in `unit`, of the scene's units
+  Rational at;             ///< for position and velocity: the time
+  bool at_frames = false;  ///< a peak: the highest frame, not the top between frames
+  Rational tolerance;      ///< in `unit`, of the scene's units
   PhysicalDimension dimension;
   std::string unit;  ///< "m", "" for a pure number
-  bool is_vector() const { return kind == Kind::position || kind == Kind::velocity || kind == Kind::event_place; }
+  bool is_vector() const {
+    return kind == Kind::position || kind == Kind::velocity || kind == Kind::event_place;
+  }
 };
 
 /// What may be spent.
 struct SceneBudget {
-  std::string integrator;               ///< of the engine, when it is fixed; empty: free
-  Values parameters;                    ///< of that integrator
-  std::vector<Rational> steps;          ///< the frame times allowed, in the scene's unit of time; empty: any
+  std::string integrator;       ///< of the engine, when it is fixed; empty: free
+  Values parameters;            ///< of that integrator
+  std::vector<Rational> steps;  ///< the frame times allowed, in the scene's unit of time; empty: any
   int most_substeps = 64;
   std::optional<Rational> microseconds;  ///< a frame may take
   std::vector<std::string> formats{"f64"};

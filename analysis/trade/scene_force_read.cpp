@@ -135,8 +135,7 @@ void read_spring(const Reading& r) {
 void read_link(const Reading& r) {
   const toml::node& node = r.need("between");
   const std::vector<std::string> names = r.c.text.words(node, "between");
-  if (names.size() != 2 || names[0] == names[1])
-    throw r.c.text.error(node, "a link is between two bodies");
+  if (names.size() != 2 || names[0] == names[1]) throw r.c.text.error(node, "a link is between two bodies");
   r.force.bodies = {r.c.body_named(node, names[0]), r.c.body_named(node, names[1])};
   r.push(r.number("stiffness", {0, -2, 1}));
   r.push(r.find("damping") ? r.number("damping", {0, -1, 1}) : Rational(0));
@@ -144,7 +143,9 @@ void read_link(const Reading& r) {
 }
 
 void read_pendulum(const Reading& r) {
-  if (!r.c.angles) throw r.c.text.error(r.table, "a pendulum's coordinate is an angle: say coordinates = \"angles\" at the top");
+  if (!r.c.angles)
+    throw r.c.text.error(r.table,
+                         "a pendulum's coordinate is an angle: say coordinates = \"angles\" at the top");
   r.push(r.positive("gravity", {1, -2, 0}) / r.positive("length", {1, 0, 0}));
 }
 
@@ -162,20 +163,27 @@ void read_expression(const Reading& r) {
   for (const toml::node& entry : r.c.text.array(node, "acceleration"))
     r.force.expressions.push_back(r.expression(entry, "acceleration"));
   if (static_cast<int>(r.force.expressions.size()) != r.c.scene.dimension)
-    throw r.c.text.error(node, "acceleration has " + std::to_string(r.c.scene.dimension) + " components here");
+    throw r.c.text.error(node,
+                         "acceleration has " + std::to_string(r.c.scene.dimension) + " components here");
 }
 
 const std::vector<KindEntry>& kinds() {
   static const std::vector<KindEntry> table{
-      {"constant", Kind::constant, {"acceleration"},
+      {"constant",
+       Kind::constant,
+       {"acceleration"},
        [](const Reading& r) { r.push_vector("acceleration", r.c.coordinate(-2)); }},
       {"polynomial", Kind::polynomial, {"coefficients"}, read_polynomial},
-      {"linear-drag", Kind::linear_drag, {"rate", "wind"},
+      {"linear-drag",
+       Kind::linear_drag,
+       {"rate", "wind"},
        [](const Reading& r) {
          r.push(r.per_mass("rate", {0, -1, 0}));
          r.push_vector_or_zero("wind", r.c.coordinate(-1));
        }},
-      {"quadratic-drag", Kind::quadratic_drag, {"coefficient", "wind"},
+      {"quadratic-drag",
+       Kind::quadratic_drag,
+       {"coefficient", "wind"},
        [](const Reading& r) {
          r.push(r.per_mass("coefficient", {r.c.angles ? 0 : -1, 0, 0}));
          r.push_vector_or_zero("wind", r.c.coordinate(-1));
@@ -183,29 +191,46 @@ const std::vector<KindEntry>& kinds() {
       {"spring", Kind::spring, {"stiffness", "damping", "anchor", "length"}, read_spring},
       {"link", Kind::link, {"between", "stiffness", "damping", "length"}, read_link},
       {"pendulum", Kind::pendulum, {"gravity", "length"}, read_pendulum},
-      {"kepler", Kind::kepler, {"mu", "centre"},
+      {"kepler",
+       Kind::kepler,
+       {"mu", "centre"},
        [](const Reading& r) {
          r.push(r.number("mu", {3, -2, 0}));
          r.push_vector_or_zero("centre", r.c.coordinate());
        }},
-      {"n-body", Kind::n_body, {"G"}, [](const Reading& r) { r.push(r.number("G", {3, -2, -1})); }},
-      {"height-gravity", Kind::height, {"gravity", "radius"}, read_height},
-      {"lorentz", Kind::lorentz, {"electric", "magnetic"},
+      {"n-body",
+       Kind::n_body,
+       {"G"},
        [](const Reading& r) {
-         if (r.c.scene.dimension == 1) throw r.c.text.error(r.table, "a magnetic force needs a plane or space");
+         r.push(r.number("G", {3, -2, -1}));
+       }},
+      {"height-gravity", Kind::height, {"gravity", "radius"}, read_height},
+      {"lorentz",
+       Kind::lorentz,
+       {"electric", "magnetic"},
+       [](const Reading& r) {
+         if (r.c.scene.dimension == 1)
+           throw r.c.text.error(r.table, "a magnetic force needs a plane or space");
          r.push_vector_or_zero("electric", r.c.coordinate(-2));
          r.push(r.rotation("magnetic", {0, -1, 0}));
        }},
-      {"coriolis", Kind::coriolis, {"rotation", "centrifugal"},
+      {"coriolis",
+       Kind::coriolis,
+       {"rotation", "centrifugal"},
        [](const Reading& r) {
-         if (r.c.scene.dimension == 1) throw r.c.text.error(r.table, "a Coriolis force needs a plane or space");
+         if (r.c.scene.dimension == 1)
+           throw r.c.text.error(r.table, "a Coriolis force needs a plane or space");
          r.push(r.rotation("rotation", {0, -1, 0}));
          const toml::node* node = r.find("centrifugal");
          r.push(Rational(node && !r.c.text.truth(*node, "centrifugal") ? 0 : 1));
        }},
       {"expression", Kind::expression, {"acceleration"}, read_expression},
-      {"potential", Kind::potential, {"potential"},
-       [](const Reading& r) { r.force.expressions.push_back(r.expression(r.need("potential"), "potential")); }},
+      {"potential",
+       Kind::potential,
+       {"potential"},
+       [](const Reading& r) {
+         r.force.expressions.push_back(r.expression(r.need("potential"), "potential"));
+       }},
   };
   return table;
 }
@@ -246,7 +271,8 @@ SceneForce read_force(const SceneContext& context, const toml::table& table) {
       names.emplace_back(k.name);
       known += (known.empty() ? "" : ", ") + names.back();
     }
-    throw text.error(kind_node, "unknown force '" + kind + "'" + did_you_mean(kind, names) + " (there are " + known + ")");
+    throw text.error(
+        kind_node, "unknown force '" + kind + "'" + did_you_mean(kind, names) + " (there are " + known + ")");
   }
   std::vector<std::string> keys{"kind", "name", "held", "by_engine"};
   if (entry->kind != Kind::link && entry->kind != Kind::n_body) keys.emplace_back("bodies");
@@ -258,7 +284,8 @@ SceneForce read_force(const SceneContext& context, const toml::table& table) {
   const toml::node* name = text.find(table, "name");
   force.name = name ? text.text(*name, "name") : kind;
   if (const toml::node* held = text.find(table, "held")) force.held = text.truth(*held, "held");
-  if (const toml::node* engine = text.find(table, "by_engine")) force.by_engine = text.truth(*engine, "by_engine");
+  if (const toml::node* engine = text.find(table, "by_engine"))
+    force.by_engine = text.truth(*engine, "by_engine");
   if (const toml::node* bodies = text.find(table, "bodies"))
     for (const std::string& body : text.words(*bodies, "bodies"))
       force.bodies.push_back(context.body_named(*bodies, body));

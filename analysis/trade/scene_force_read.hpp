@@ -12,7 +12,7 @@ namespace shortfall {
 struct SceneContext {
   const SceneText& text;
   Scene& scene;
-  bool angles = false;                        ///< coordinates are angles
+  bool angles = false;                         ///< coordinates are angles
   std::map<std::string, Rational> parameters;  ///< of [parameters], for expressions
 
   /// Of a coordinate, times T^time.

@@ -8,6 +8,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/floating/double_double.hpp"
 #include "analysis/program/function.hpp"
+#include "analysis/trade/tape_run.hpp"
 
 namespace shortfall {
 
@@ -30,7 +31,8 @@ bool is_expression(const SceneForce& f) {
 }
 
 template <class S>
-ForceTerm<S> term_of(const Scene& scene, const SceneForce& force, const std::function<S(const Rational&)>& number) {
+ForceTerm<S> term_of(const Scene& scene, const SceneForce& force,
+                     const std::function<S(const Rational&)>& number) {
   ForceTerm<S> term{force.kind, scene.dimension, force.bodies, {}, {}, number(1), number(2)};
   for (const Rational& n : force.numbers) term.p.push_back(number(n));
   for (const SceneBody& b : scene.bodies) term.masses.push_back(number(b.mass));
@@ -236,64 +238,7 @@ TapeValues<S>::TapeValues(SmoothTape tape) : tape_(std::move(tape)), values_(tap
 
 template <class S>
 void TapeValues<S>::operator()(const S* x, const S* v, const S& t, int m, S* out) {
-  using Op = SmoothTape::Op;
-  using std::abs;
-  using std::cos;
-  using std::exp;
-  using std::log;
-  using std::pow;
-  using std::sin;
-  using std::sqrt;
-  S* const w = values_.data();
-  std::copy(x, x + m, w);
-  std::copy(v, v + m, w + m);
-  w[2 * m] = t;
-  const int count = static_cast<int>(tape_.nodes.size());
-  for (int i = 2 * m + 1; i < count; ++i) {
-    const SmoothTape::Node n = tape_.nodes[static_cast<std::size_t>(i)];
-    switch (n.op) {
-      case Op::input:
-      case Op::constant:
-        break;
-      case Op::add:
-        w[i] = w[n.a] + w[n.b];
-        break;
-      case Op::subtract:
-        w[i] = w[n.a] - w[n.b];
-        break;
-      case Op::multiply:
-        w[i] = w[n.a] * w[n.b];
-        break;
-      case Op::divide:
-        w[i] = w[n.a] / w[n.b];
-        break;
-      case Op::negate:
-        w[i] = -w[n.a];
-        break;
-      case Op::absolute:
-        w[i] = abs(w[n.a]);
-        break;
-      case Op::sqrt:
-        w[i] = sqrt(w[n.a]);
-        break;
-      case Op::exp:
-        w[i] = exp(w[n.a]);
-        break;
-      case Op::log:
-        w[i] = log(w[n.a]);
-        break;
-      case Op::sin:
-        w[i] = sin(w[n.a]);
-        break;
-      case Op::cos:
-        w[i] = cos(w[n.a]);
-        break;
-      case Op::power:
-        w[i] = pow(w[n.a], number_of<S>(tape_.constants[static_cast<std::size_t>(n.b)]));
-        break;
-    }
-  }
-  for (std::size_t o = 0; o < tape_.outputs.size(); ++o) out[o] = w[tape_.outputs[o]];
+  run_tape(tape_, x, v, t, m, nullptr, values_, out);
 }
 
 template <class S>

@@ -23,7 +23,8 @@ SmoothTape acceleration_tape(const Scene& scene, const ForceChoice& chosen = {})
 /// The energy of a scene (masses included) as a tape of x, v, t; none when a force has no potential.
 ///
 /// param  why  is told which force has none
-std::optional<SmoothTape> energy_tape(const Scene& scene, const ForceChoice& chosen = {}, std::string* why = nullptr);
+std::optional<SmoothTape> energy_tape(const Scene& scene, const ForceChoice& chosen = {},
+                                      std::string* why = nullptr);
 
 /// A tape run in plain numbers: for expressions, and for energies.
 template <class S>

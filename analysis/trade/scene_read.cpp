@@ -39,7 +39,8 @@ const std::vector<ObservableEntry>& observables() {
 
 class SceneReader {
  public:
-  SceneReader(const std::string& text, const std::string& file) : text_(text, file), context_{text_, scene_, false, {}} {
+  SceneReader(const std::string& text, const std::string& file)
+      : text_(text, file), context_{text_, scene_, false, {}} {
     scene_.file = file;
     const std::size_t slash = file.find_last_of('/');
     scene_.name = slash == std::string::npos ? file : file.substr(slash + 1);
@@ -70,26 +71,26 @@ class SceneReader {
     unique_force_names();
     for (const toml::table* table : text_.tables(root, "event")) read_event(*table);
     for (const toml::table* table : text_.tables(root, "observable")) read_observable(*table);
-    if (scene_.observables.empty()) throw text_.error(root, "a scene needs an [[observable]] with its tolerance");
+    if (scene_.observables.empty())
+      throw text_.error(root, "a scene needs an [[observable]] with its tolerance");
     if (const auto* node = text_.find(root, "budget")) read_budget(*node);
     return std::move(scene_);
   }
 
  private:
-  Rational positive(const toml::node& node, const std::string& key, const PhysicalDimension& dimension) const {
+  Rational positive(const toml::node& node, const std::string& key,
+                    const PhysicalDimension& dimension) const {
     Rational value = text_.number(node, key, dimension, scene_.units);
     if (value.sign() <= 0) throw text_.error(node, key + " must be greater than 0");
     return value;
   }
 
   std::string integrator(const toml::node& node, const std::string& key) const {
-    const std::string name = text_.text(node, key);
     try {
-      find_integrator(name);
+      return find_integrator(text_.text(node, key)).name;
     } catch (const BadInput& e) {
       throw text_.error(node, e.what());
     }
-    return name;
   }
 
   void read_units(const toml::table& root) {
@@ -126,7 +127,8 @@ class SceneReader {
     static const std::set<std::string> kTaken{"x", "y", "z", "vx", "vy", "vz", "t", "a"};
     for (const auto& [key, entry] : *table) {
       const std::string name(key.str());
-      if (kTaken.contains(name)) throw text_.error(key.source().begin, "'" + name + "' has a meaning already");
+      if (kTaken.contains(name))
+        throw text_.error(key.source().begin, "'" + name + "' has a meaning already");
       const PhysicalQuantity q = text_.quantity(entry, name);
       context_.parameters.emplace(name, q.dimension ? scene_.units.from_si(q.value, *q.dimension) : q.value);
     }
@@ -139,8 +141,10 @@ class SceneReader {
     const toml::node* name = text_.find(table, "name");
     body.name = name ? text_.text(*name, "name") : "body " + std::to_string(number);
     for (const SceneBody& other : scene_.bodies)
-      if (other.name == body.name) throw text_.error(table, "there are two bodies called '" + body.name + "'");
-    body.position = context_.vector(text_.need(table, "position", "a body"), "position", context_.coordinate());
+      if (other.name == body.name)
+        throw text_.error(table, "there are two bodies called '" + body.name + "'");
+    body.position =
+        context_.vector(text_.need(table, "position", "a body"), "position", context_.coordinate());
     if (const auto* node = text_.find(table, "velocity"))
       body.velocity = context_.vector(*node, "velocity", context_.coordinate(-1));
     else
@@ -167,9 +171,10 @@ class SceneReader {
     const std::string word = text_.text(*node, "axis");
     const std::size_t found = word.size() == 1 ? kAxes.find(word) : std::string::npos;
     if (found == std::string::npos || static_cast<int>(found) >= scene_.dimension)
-      throw text_.error(*node, "axis is " + std::string(scene_.dimension == 1   ? "x"
-                                                        : scene_.dimension == 2 ? "x or y"
-                                                                                : "x, y or z") +
+      throw text_.error(*node, "axis is " +
+                                   std::string(scene_.dimension == 1   ? "x"
+                                               : scene_.dimension == 2 ? "x or y"
+                                                                       : "x, y or z") +
                                    " here, not '" + word + "'");
     return static_cast<int>(found);
   }
@@ -184,7 +189,8 @@ class SceneReader {
     SceneEvent event;
     event.name = text_.text(text_.need(table, "name", "an event"), "name");
     for (const SceneEvent& other : scene_.events)
-      if (other.name == event.name) throw text_.error(table, "there are two events called '" + event.name + "'");
+      if (other.name == event.name)
+        throw text_.error(table, "there are two events called '" + event.name + "'");
     event.body = body(table);
     event.axis = axis(table, scene_.dimension - 1);
     if (const auto* node = text_.find(table, "of")) {
@@ -194,7 +200,8 @@ class SceneReader {
       event.of_velocity = word == "velocity";
     }
     if (const auto* node = text_.find(table, "level"))
-      event.level = text_.number(*node, "level", context_.coordinate(event.of_velocity ? -1 : 0), scene_.units);
+      event.level =
+          text_.number(*node, "level", context_.coordinate(event.of_velocity ? -1 : 0), scene_.units);
     if (const auto* node = text_.find(table, "direction")) {
       const std::string word = text_.text(*node, "direction");
       if (word != "up" && word != "down" && word != "both")
@@ -229,7 +236,8 @@ class SceneReader {
     o.axis = axis(table, scene_.dimension - 1);
     o.dimension = {context_.angles ? 0 : entry->length, entry->time, 0};
     o.unit = scene_.units.unit(o.dimension);
-    o.tolerance = positive(text_.need(table, "tolerance", "the observable '" + kind + "'"), "tolerance", o.dimension);
+    o.tolerance =
+        positive(text_.need(table, "tolerance", "the observable '" + kind + "'"), "tolerance", o.dimension);
     read_when(table, o, kind);
     const toml::node* name = text_.find(table, "name");
     o.name = name ? text_.text(*name, "name") : usual_name(kind, o);
@@ -275,8 +283,9 @@ class SceneReader {
 
   std::string usual_name(const std::string& kind, const SceneObservable& o) const {
     std::string name = kind;
-    if (o.event) name = scene_.events[static_cast<std::size_t>(*o.event)].name + " " +
-                        (kind.starts_with("event-") ? kind.substr(6) : kind);
+    if (o.event)
+      name = scene_.events[static_cast<std::size_t>(*o.event)].name + " " +
+             (kind.starts_with("event-") ? kind.substr(6) : kind);
     if (o.kind == Kind::position || o.kind == Kind::velocity) {
       name += " at " + o.at.significant(6);
       if (!scene_.units.time.empty()) name += " " + scene_.units.time;
@@ -289,15 +298,18 @@ class SceneReader {
   void read_budget(const toml::node& node) {
     const toml::table* table = node.as_table();
     if (!table) throw text_.error(node, "budget is a table: write [budget]");
-    text_.check_keys(*table, "budget", {"integrator", "parameters", "dt", "substeps", "microseconds", "formats"});
+    text_.check_keys(*table, "budget",
+                     {"integrator", "parameters", "dt", "substeps", "microseconds", "formats"});
     SceneBudget& budget = scene_.budget;
-    if (const auto* entry = text_.find(*table, "integrator")) budget.integrator = integrator(*entry, "integrator");
+    if (const auto* entry = text_.find(*table, "integrator"))
+      budget.integrator = integrator(*entry, "integrator");
     if (const auto* entry = text_.find(*table, "parameters")) read_engine_parameters(*entry);
     if (const auto* entry = text_.find(*table, "dt")) {
       if (!entry->is_array())
         budget.steps.push_back(positive(*entry, "dt", {0, 1, 0}));
       else
-        for (const toml::node& one : text_.array(*entry, "dt")) budget.steps.push_back(positive(one, "dt", {0, 1, 0}));
+        for (const toml::node& one : text_.array(*entry, "dt"))
+          budget.steps.push_back(positive(one, "dt", {0, 1, 0}));
     }
     if (const auto* entry = text_.find(*table, "substeps"))
       budget.most_substeps = static_cast<int>(text_.whole(*entry, "substeps", 1, 10'000));

@@ -77,7 +77,8 @@ std::int64_t SceneText::whole(const toml::node& node, const std::string& key, st
                               std::int64_t most) const {
   const auto* value = node.as_integer();
   if (!value || value->get() < least || value->get() > most)
-    throw error(node, key + " is a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    throw error(node,
+                key + " is a whole number from " + std::to_string(least) + " to " + std::to_string(most));
   return value->get();
 }
 
@@ -141,8 +142,8 @@ Rational SceneText::number(const toml::node& node, const std::string& key, const
   }
   const std::string unit = UnitSystem().unit(dimension);
   throw error(node, key + " has the dimension " + dimension.str() +
-                        (unit.empty() ? " (a pure number)" : " (a unit is " + unit + ")") +
-                        ", and this is " + q.dimension->str());
+                        (unit.empty() ? " (a pure number)" : " (a unit is " + unit + ")") + ", and this is " +
+                        q.dimension->str());
 }
 
 }  // namespace shortfall

@@ -11,7 +11,7 @@ using Op = SmoothTape::Op;
 
 namespace {
 
-bool is_unary(Op op) { return op >= Op::negate && op <= Op::power; }
+bool is_unary(Op op) { return op >= Op::negate && op < Op::power; }
 
 }  // namespace
 
@@ -119,7 +119,7 @@ int TapeRecorder::power(int a, const Rational& exponent) {
     return binary(Op::divide, constant(1), power(a, -exponent));
   if (exponent == Rational(1, 2)) return unary(Op::sqrt, a);
   const int e = constant(exponent);
-  return add({Op::power, a, tape_.nodes[static_cast<std::size_t>(e)].a});
+  return add({Op::power, a, e});
 }
 
 std::vector<int> TapeRecorder::gradient(int node) {
@@ -177,7 +177,7 @@ std::vector<int> TapeRecorder::gradient(int node) {
         give(n.a, unary(Op::negate, binary(Op::multiply, s, i - 1)));
         break;
       case Op::power: {
-        const Rational exponent = tape_.constants[static_cast<std::size_t>(n.b)];
+        const Rational exponent = *constant_value(n.b);
         const int lower = power(n.a, exponent - Rational(1));
         give(n.a, binary(Op::multiply, s, binary(Op::multiply, constant(exponent), lower)));
         break;

@@ -27,7 +27,7 @@ struct SmoothTape {
     log,
     sin,    ///< its cosine is the next node
     cos,    ///< its sine is the node before
-    power,  ///< a ^ constants[b]
+    power,  ///< a ^ b, b a constant node
   };
   struct Node {
     Op op;
@@ -88,7 +88,9 @@ inline Traced operator+(const Traced& a, const Traced& b) { return traced(Smooth
 inline Traced operator-(const Traced& a, const Traced& b) { return traced(SmoothTape::Op::subtract, a, b); }
 inline Traced operator*(const Traced& a, const Traced& b) { return traced(SmoothTape::Op::multiply, a, b); }
 inline Traced operator/(const Traced& a, const Traced& b) { return traced(SmoothTape::Op::divide, a, b); }
-inline Traced traced(SmoothTape::Op op, const Traced& a) { return {a.recorder, a.recorder->unary(op, a.node)}; }
+inline Traced traced(SmoothTape::Op op, const Traced& a) {
+  return {a.recorder, a.recorder->unary(op, a.node)};
+}
 inline Traced sqrt(const Traced& a) { return traced(SmoothTape::Op::sqrt, a); }
 inline Traced exp(const Traced& a) { return traced(SmoothTape::Op::exp, a); }
 inline Traced log(const Traced& a) { return traced(SmoothTape::Op::log, a); }

@@ -18,7 +18,6 @@ TaylorFlow<T>::TaylorFlow(SmoothTape tape, Settings settings)
       settings_(std::move(settings)),
       m_(static_cast<int>(tape_.outputs.size())),
       width_(static_cast<std::size_t>(settings_.order) + 1) {
-  for (const Rational& c : tape_.constants) constants_.push_back(settings_.number(c));
   for (int k = 0; k <= settings_.order + 1; ++k) whole_.push_back(settings_.number(k));
   const T zero = settings_.number(0);
   values_.assign(tape_.nodes.size() * width_, zero);
@@ -27,7 +26,7 @@ TaylorFlow<T>::TaylorFlow(SmoothTape tape, Settings settings)
   side_.assign(tape_.nodes.size(), 0);
   for (std::size_t i = 0; i < tape_.nodes.size(); ++i)
     if (tape_.nodes[i].op == Op::constant)
-      values_[i * width_] = constants_[static_cast<std::size_t>(tape_.nodes[i].a)];
+      values_[i * width_] = settings_.number(tape_.constants[static_cast<std::size_t>(tape_.nodes[i].a)]);
 }
 
 /// Sum of a_j b_(k-j) for j = from .. to.
@@ -55,8 +54,7 @@ void TaylorFlow<T>::absolute(std::size_t node, int k) {
   if (side == 0) {
     // A value that is next to nothing beside its slope is the zero at which the last series ended.
     const double u = rough(values_[index(a, k)]);
-    const bool is_zero =
-        k == 0 ? std::fabs(u) <= settings_.tolerance * (largest_x_ + largest_v_) : u == 0;
+    const bool is_zero = k == 0 ? std::fabs(u) <= settings_.tolerance * (largest_x_ + largest_v_) : u == 0;
     if (!is_zero) side = u < 0 ? -1 : 1;
   }
   const T& value = values_[index(a, k)];
@@ -141,15 +139,14 @@ void TaylorFlow<T>::operation(std::size_t node, int k) {
       result = k == 0 ? T(cos(value(a, 0))) : -weighted(a, self - 1, k);
       break;
     case Op::power: {
-      const T& r = constants_[static_cast<std::size_t>(b)];
+      const T& r = values_[index(b, 0)];
       if (k == 0) {
         result = pow(value(a, 0), r);
         break;
       }
       T sum = whole_[0];
       for (int j = 1; j <= k; ++j) {
-        const T weight =
-            r * whole_[static_cast<std::size_t>(j)] - whole_[static_cast<std::size_t>(k - j)];
+        const T weight = r * whole_[static_cast<std::size_t>(j)] - whole_[static_cast<std::size_t>(k - j)];
         add_product(sum, weight * value(a, j), value(self, k - j));
       }
       result = sum / (whole_[static_cast<std::size_t>(k)] * value(a, 0));
@@ -178,11 +175,12 @@ void TaylorFlow<T>::expand(std::span<const T> x, std::span<const T> v, const T& 
       x_[index(i, k + 1)] = v_[index(i, k)] / whole_[static_cast<std::size_t>(k) + 1];
     coefficients(k);
     for (int i = 0; i < m_; ++i)
-      v_[index(i, k + 1)] =
-          values_[index(tape_.outputs[static_cast<std::size_t>(i)], k)] / whole_[static_cast<std::size_t>(k) + 1];
+      v_[index(i, k + 1)] = values_[index(tape_.outputs[static_cast<std::size_t>(i)], k)] /
+                            whole_[static_cast<std::size_t>(k) + 1];
   }
   for (int i = 0; i < m_; ++i)
-    if (!std::isfinite(rough(x_[index(i, settings_.order)])) || !std::isfinite(rough(v_[index(i, settings_.order)])))
+    if (!std::isfinite(rough(x_[index(i, settings_.order)])) ||
+        !std::isfinite(rough(v_[index(i, settings_.order)])))
       throw Undefined("the force is singular at t = " + std::to_string(rough(t)) +
                       ": its power series there has no value");
   length_ = to_corner(step_length());
@@ -193,7 +191,9 @@ double TaylorFlow<T>::step_length() {
   double length = settings_.longest;
   double scale_x = largest_x_, scale_v = largest_v_;
   for (int i = 0; i < m_; ++i) {  // at rest at the origin: what the force will make of it
-    if (scale_x == 0) scale_x = std::fabs(rough(x_[index(i, 1)])) * length + std::fabs(rough(x_[index(i, 2)])) * length * length;
+    if (scale_x == 0)
+      scale_x =
+          std::fabs(rough(x_[index(i, 1)])) * length + std::fabs(rough(x_[index(i, 2)])) * length * length;
     if (scale_v == 0) scale_v = std::fabs(rough(v_[index(i, 1)])) * length;
   }
   for (int back = 0; back < 2; ++back) {
@@ -252,7 +252,8 @@ void follow(TaylorFlow<T>& flow, std::vector<T>& x, std::vector<T>& v, T& t, con
     flow.expand(x, v, t);
     T step = left;
     if (flow.length() < rough(left)) step = T(flow.length());
-    if (!(rough(step) > 0)) throw Undefined("the motion cannot be followed beyond t = " + std::to_string(rough(t)));
+    if (!(rough(step) > 0))
+      throw Undefined("the motion cannot be followed beyond t = " + std::to_string(rough(t)));
     for (int i = 0; i < m; ++i) {
       x[static_cast<std::size_t>(i)] = flow.at(i, step);
       v[static_cast<std::size_t>(i)] = flow.at(m + i, step);

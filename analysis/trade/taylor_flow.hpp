@@ -63,11 +63,10 @@ class TaylorFlow {
   Settings settings_;
   int m_;
   std::size_t width_;
-  std::vector<T> constants_;
-  std::vector<T> whole_;        ///< 0, 1, ..., order + 1
-  std::vector<T> values_;       ///< a row of coefficients for each node
-  std::vector<T> x_, v_;        ///< a row of coefficients for each coordinate
-  std::vector<int> side_;       ///< of each |u|: the sign of u, 0 while unknown
+  std::vector<T> whole_;   ///< 0, 1, ..., order + 1
+  std::vector<T> values_;  ///< a row of coefficients for each node
+  std::vector<T> x_, v_;   ///< a row of coefficients for each coordinate
+  std::vector<int> side_;  ///< of each |u|: the sign of u, 0 while unknown
   double largest_x_ = 0, largest_v_ = 0;
   double length_ = 0;
 };

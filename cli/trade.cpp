@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <functional>
+#include <memory>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/trade/trade.hpp"
+#include "cli/command.hpp"
+#include "cli/output.hpp"
+#include "cli/progress.hpp"
+#include "cli/quantity.hpp"
+#include "cli/scene.hpp"
+#include "notebooks-export/figure_gnuplot.hpp"
+#include "notebooks-export/trade_text.hpp"
+
+namespace shortfall::cli {
+
+namespace {
+
+struct TradeOptions {
+  std::string scene, integrators, formats, steps, until, plot, output;
+  int repeats = 10;
+  bool no_peers = false, no_launches = false, json = false, csv = false;
+};
+
+int trade_command(const TradeOptions& o) {
+  if (!o.plot.empty()) image_format(o.plot);  // a wrong ending is seen before any work
+  if (o.json && o.csv) throw BadInput("--json and --csv: give one of them");
+  Scene scene = scene_from(o.scene, o.until);
+  TradeQuestion question;
+  question.integrators = words_of(o.integrators);
+  question.formats = words_of(o.formats);
+  question.repeats = o.repeats;
+  question.peers = !o.no_peers;
+  question.launches = !o.no_launches;
+  if (!o.steps.empty())
+    for (const Rational& h : sweep(o.steps, Unit::time, "--dt"))
+      question.steps.push_back(scene.units.from_si(h, {0, 1, 0}));
+  std::ranges::sort(question.steps, std::greater<>());
+  Trade result;
+  {
+    ProgressLine line;
+    result = trade(scene, question, line.progress());
+  }
+  if (!o.plot.empty()) {
+    try {
+      write_output(image(trade_figure(result), image_format(o.plot)), o.plot);
+    } catch (const ProgramError& e) {
+      throw OutputError(e.what());
+    }
+    say("wrote " + o.plot);
+  }
+  write_output(o.json ? as_json(result).dump(2) + "\n" : o.csv ? as_csv(result) : as_text(result), o.output);
+  return kDone;
+}
+
+}  // namespace
+
+void add_trade(CLI::App& app, int& code) {
+  CLI::App* command = new_command(
+      app, "Scenes", "trade", "Accuracy against speed: errors in a scene's own terms, beside what they cost.",
+      {"trade scenes/kepler.toml",
+       "trade scenes/grenade.toml --integrators symplectic-euler,velocity-verlet,rk4 --csv",
+       "trade scenes/swing.toml --formats f32,f64 --plot trade.svg"});
+  auto o = std::make_shared<TradeOptions>();
+  command->add_option("SCENE", o->scene, "a scene's file; see docs/scenes.md")->required();
+  command->add_option("--integrators", o->integrators, "names, separated by commas")->type_name("LIST");
+  command->add_option("--formats", o->formats, "f32, f64 or both; otherwise those of the scene's budget")
+      ->type_name("LIST");
+  command->add_option("--dt", o->steps, "FROM:TO:log:COUNT instead of the usual steps")->type_name("STEPS");
+  command->add_option("--until", o->until, "end the scene there instead")->type_name("TIME");
+  command->add_option("--repeats", o->repeats, "of each time measurement; 0: count evaluations only")
+      ->type_name("N")
+      ->check(CLI::Range(0, 1000));
+  command->add_flag("--no-peers", o->no_peers, "leave out the steppers of GSL and Boost.odeint");
+  command->add_flag("--no-launches", o->no_launches, "leave out integrators with launch and read-out");
+  command->add_flag("--json", o->json, "as JSON");
+  command->add_flag("--csv", o->csv, "every point, one a line");
+  command->add_option("--plot", o->plot, "draw it (needs gnuplot): a file that ends in .svg, .png or .pdf")
+      ->type_name("FILE");
+  command->add_option("-o,--output", o->output, "write to a file")->type_name("FILE");
+  command->callback([o, &code] { code = trade_command(*o); });
+}
+
+}  // namespace shortfall::cli

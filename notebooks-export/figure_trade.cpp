@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "notebooks-export/trade_text.hpp"
+
+namespace shortfall {
+
+namespace {
+
+using Ink = Figure::Ink;
+
+constexpr std::array<Ink, 7> kInks{Ink::blue,   Ink::vermillion, Ink::green, Ink::purple,
+                                   Ink::orange, Ink::sky,        Ink::black};
+
+struct Range {
+  double low = 1e300, high = 0;
+  void add(double value) {
+    if (!(value > 0) || !std::isfinite(value)) return;
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+};
+
+/// Whole powers of ten around.
+void fit(Figure::Axis& axis, const Range& range, double more_right = 1) {
+  axis.logarithmic = true;
+  axis.low = std::pow(10.0, std::floor(std::log10(range.low) - 0.05));
+  axis.high = std::pow(10.0, std::ceil(std::log10(range.high * more_right) + 0.05));
+}
+
+/// Names at the ends of their lines, moved apart where they would lie on each other.
+void place_labels(Figure::Panel& panel, std::vector<Figure::Label> labels) {
+  std::ranges::sort(labels, [](const auto& a, const auto& b) { return a.at.y < b.at.y; });
+  const double span = std::log10(panel.y.high / panel.y.low), least = span / 26;
+  double last = -1e300;
+  for (Figure::Label& l : labels) {
+    const double y = std::max(std::log10(l.at.y), last + least);
+    last = y;
+    l.at.y = std::pow(10.0, y);
+    panel.labels.push_back(std::move(l));
+  }
+}
+
+Figure::Panel panel(const Trade& trade, std::size_t observable) {
+  const SceneObservable& o = trade.scene.observables[observable];
+  const double tolerance = o.tolerance.to_double();
+  Figure::Panel p;
+  p.title = o.name;
+  p.note =
+      "shaded: within the tolerance of " + error_text(tolerance, o.unit) +
+      "; dashed lines: binary32; thin dashes: the floor of a format; dots: nothing is cheaper and better";
+  p.x.label = trade.timed ? "time for the whole scene" : "evaluations of the force";
+  p.x.unit = trade.timed ? "us" : "";
+  p.y.label = o.is_vector() || o.kind == SceneObservable::Kind::path ? "distance from the truth"
+                                                                     : "size of the error";
+  p.y.unit = o.unit;
+  const auto x_of = [&](const SceneOutcome& point) {
+    return trade.timed ? point.nanoseconds / 1e3 : static_cast<double>(point.evaluations);
+  };
+  Range x, y;
+  y.add(tolerance);
+  for (const TradeSeries& s : trade.series)
+    for (const SceneOutcome& point : s.points) {
+      if (point.failed) continue;
+      x.add(x_of(point));
+      y.add(std::fabs(point.errors[observable]));
+    }
+  if (x.high == 0) x = {1, 10};
+  // What is a million times better than asked for is shown; zeros and accidents below that are not.
+  y.low = std::max(y.low, tolerance * 1e-9);
+  y.high = std::min(y.high, tolerance * 1e9);
+  fit(p.x, x, 30);
+  fit(p.y, y);
+  p.regions.push_back(
+      {{{{p.x.low, p.y.low}, {p.x.high, p.y.low}, {p.x.high, tolerance}, {p.x.low, tolerance}}},
+       Ink::sky,
+       0.15});
+  std::vector<Figure::Label> labels;
+  for (const auto& [format, floor] : trade.floors[observable]) {
+    if (!(floor > p.y.low) || floor > p.y.high) continue;
+    p.curves.push_back({{{{p.x.low, floor}, {p.x.high, floor}}}, Ink::grey, 1, true});
+    p.labels.push_back({{p.x.low * 1.1, floor}, "floor of " + format, Ink::grey, Figure::Align::left, 0.5});
+  }
+  std::size_t ink = 0;
+  std::string last;
+  for (const TradeSeries& s : trade.series) {
+    const std::string family =
+        s.integrator.empty() ? s.label : s.integrator + (s.launched ? " + launch" : "");
+    if (!last.empty() && family != last) ++ink;
+    last = family;
+    Figure::Curve curve{{},
+                        s.integrator.empty() ? Ink::grey : kInks[ink % kInks.size()],
+                        s.launched ? 3.0 : 1.8,
+                        s.format == "f32"};
+    Figure::Path path;
+    for (const SceneOutcome& point : s.points) {
+      const double error = point.failed ? 0 : std::fabs(point.errors[observable]);
+      if (!(error >= p.y.low) || error > p.y.high) {
+        if (!path.empty()) curve.paths.push_back(std::move(path));
+        path.clear();
+        continue;
+      }
+      path.push_back({x_of(point), error});
+    }
+    if (!path.empty()) curve.paths.push_back(std::move(path));
+    if (curve.paths.empty()) continue;
+    const Figure::Point end = curve.paths.back().back();
+    labels.push_back({{end.x * 1.15, end.y}, s.label, curve.ink, Figure::Align::left, 0});
+    p.curves.push_back(std::move(curve));
+  }
+  for (const TradePlace& place : pareto_front(trade, observable)) {
+    const SceneOutcome& point = trade.series[place.series].points[place.point];
+    const double error = std::fabs(point.errors[observable]);
+    if (error >= p.y.low && error <= p.y.high) p.marks.push_back({{x_of(point), error}, Ink::black});
+  }
+  place_labels(p, std::move(labels));
+  return p;
+}
+
+}  // namespace
+
+Figure trade_figure(const Trade& trade) {
+  Figure figure;
+  figure.title =
+      (trade.scene.title.empty() ? trade.scene.name : trade.scene.title) + ": accuracy against speed";
+  for (std::size_t i = 0; i < trade.scene.observables.size(); ++i) figure.panels.push_back(panel(trade, i));
+  return figure;
+}
+
+}  // namespace shortfall
