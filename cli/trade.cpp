@@ -2,9 +2,10 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "analysis/algebra/error.hpp"
-#include "analysis/trade/trade.hpp"
+#include "analysis/trade/mpi/machines.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
@@ -18,12 +19,12 @@ namespace shortfall::cli {
 namespace {
 
 struct TradeOptions {
-  std::string scene, integrators, formats, steps, until, plot, output;
+  std::string scene, integrators, formats, steps, until, plot, store, output;
   int repeats = 10;
   bool no_peers = false, no_launches = false, json = false, csv = false;
 };
 
-int trade_command(const TradeOptions& o) {
+int trade_on(const Machines& machines, const TradeOptions& o) {
   if (!o.plot.empty()) image_format(o.plot);  // a wrong ending is seen before any work
   if (o.json && o.csv) throw BadInput("--json and --csv: give one of them");
   Scene scene = scene_from(o.scene, o.until);
@@ -37,11 +38,21 @@ int trade_command(const TradeOptions& o) {
     for (const Rational& h : sweep(o.steps, Unit::time, "--dt"))
       question.steps.push_back(scene.units.from_si(h, {0, 1, 0}));
   std::ranges::sort(question.steps, std::greater<>());
+  question.run_points = [&](std::size_t count, const auto& one, const Progress& progress) {
+    return machines.run_points(count, one, progress);
+  };
+  if (!machines.speaks()) {  // times mean something only where nothing else runs
+    question.repeats = 0;
+    question.peers = false;
+  }
+  std::optional<PointStore> store;
+  if (!o.store.empty()) question.store = &store.emplace(o.store);
   Trade result;
   {
     ProgressLine line;
     result = trade(scene, question, line.progress());
   }
+  if (!machines.speaks()) return kDone;
   if (!o.plot.empty()) {
     try {
       write_output(image(trade_figure(result), image_format(o.plot)), o.plot);
@@ -52,6 +63,16 @@ int trade_command(const TradeOptions& o) {
   }
   write_output(o.json ? as_json(result).dump(2) + "\n" : o.csv ? as_csv(result) : as_text(result), o.output);
   return kDone;
+}
+
+int trade_command(const TradeOptions& o) {
+  const Machines machines;
+  if (machines.speaks()) return trade_on(machines, o);
+  try {
+    return trade_on(machines, o);
+  } catch (const std::exception&) {
+    return kUsage;  // the first process says what is wrong, once
+  }
 }
 
 }  // namespace
@@ -77,6 +98,10 @@ void add_trade(CLI::App& app, int& code) {
   command->add_flag("--json", o->json, "as JSON");
   command->add_flag("--csv", o->csv, "every point, one a line");
   command->add_option("--plot", o->plot, "draw it (needs gnuplot): a file that ends in .svg, .png or .pdf")
+      ->type_name("FILE");
+  command
+      ->add_option("--store", o->store,
+                   "keep the points in this SQLite file as they come, and go on from there when asked again")
       ->type_name("FILE");
   command->add_option("-o,--output", o->output, "write to a file")->type_name("FILE");
   command->callback([o, &code] { code = trade_command(*o); });

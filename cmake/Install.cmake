@@ -9,7 +9,7 @@ install(DIRECTORY "${PROJECT_SOURCE_DIR}/analysis" "${PROJECT_SOURCE_DIR}/notebo
         PATTERN "analysis/shortfall.hpp" EXCLUDE)
 install(FILES "${PROJECT_SOURCE_DIR}/analysis/shortfall.hpp"
         DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/shortfall")
-install(FILES "${PROJECT_SOURCE_DIR}/share/tableau.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/shortfall")
+install(FILES "${PROJECT_SOURCE_DIR}/share/tableau.schema.json" "${PROJECT_SOURCE_DIR}/share/scene.schema.json" DESTINATION "${CMAKE_INSTALL_DATADIR}/shortfall")
 install(EXPORT shortfallTargets NAMESPACE shortfall:: DESTINATION "${package}")
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/shortfallConfig.cmake.in"
                               "${PROJECT_BINARY_DIR}/shortfallConfig.cmake" INSTALL_DESTINATION "${package}")

@@ -20,10 +20,10 @@ std::string joined(const std::vector<std::string>& words) {
 
 std::string way(const Advice& a, const SceneOutcome& o) {
   const std::string unit = a.scene.units.time;
-  std::string text = o.choice.label() + ", dt = " + o.choice.frame.significant(6) + " " + unit;
+  std::string text = o.choice.label() + ", dt = " + short_number(o.choice.frame) + " " + unit;
   if (o.choice.substeps > 1)
     text += " in " + std::to_string(o.choice.substeps) + " substeps of " +
-            (o.choice.frame / Rational(o.choice.substeps)).significant(6) + " " + unit;
+            short_number(o.choice.frame / Rational(o.choice.substeps)) + " " + unit;
   return text;
 }
 
@@ -106,7 +106,7 @@ std::string tables(const Advice& a) {
     rows = {{"", "dt", "substeps", "evaluations", "time"}};
     for (const SceneObservable& o : scene.observables) rows[0].push_back(o.name);
     for (const SceneOutcome& o : a.considered) {
-      std::vector<std::string> row{o.choice.label(), o.choice.frame.significant(5) + " " + scene.units.time,
+      std::vector<std::string> row{o.choice.label(), short_number(o.choice.frame) + " " + scene.units.time,
                                    std::to_string(o.choice.substeps), std::to_string(o.evaluations),
                                    o.nanoseconds > 0 ? duration_text(o.nanoseconds) : "-"};
       for (std::size_t i = 0; i < scene.observables.size(); ++i)
@@ -146,18 +146,18 @@ std::string as_text(const Advice& a, bool why) {
   std::string text = (a.scene.title.empty() ? a.scene.name : a.scene.title) + "\n";
   if (!a.best) {
     text += "  Nothing that was tried meets all tolerances with a margin of " +
-            Rational::from_double(a.margin).significant(3) + ".\n";
+            short_number(Rational::from_double(a.margin)) + ".\n";
     if (a.closest)
-      text += "  Closest     " + way(a, *a.closest) + "; " + costs(*a.closest) + "\n  What is left " +
+      text += "  Closest      " + way(a, *a.closest) + "; " + costs(*a.closest) + "\n  What is left " +
               left(a, *a.closest) + "\n";
     return why ? text + tables(a) : text;
   }
-  text += "  Step it     " + way(a, *a.best) + "; " + costs(*a.best) + "\n";
-  text += "  Model       " + forces(a) + "\n";
+  text += "  Step it      " + way(a, *a.best) + "; " + costs(*a.best) + "\n";
+  text += "  Model        " + forces(a) + "\n";
   text += "  What is left " + left(a, *a.best) + "\n";
   text += against_naive(a);
   text += "  Errors are exact minus computed, seen in this run against the true motion (" + a.reference.how +
-          "), and at most 1/" + Rational::from_double(a.margin).significant(3) + " of what is allowed.\n";
+          "), and at most 1/" + short_number(Rational::from_double(a.margin)) + " of what is allowed.\n";
   return why ? text + tables(a) : text;
 }
 

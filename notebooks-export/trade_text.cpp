@@ -5,7 +5,6 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <map>
 
 #include "notebooks-export/text_table.hpp"
 
@@ -25,10 +24,10 @@ std::string cost_text(const Trade& trade, const SceneOutcome& o) {
 
 std::string step_text(const Trade& trade, const SceneOutcome& o) {
   if (o.tolerance > 0) return "tolerance " + number("%.0e", o.tolerance);
-  return o.choice.frame.significant(4) + " " + trade.scene.units.time;
+  return short_number(o.choice.frame) + " " + trade.scene.units.time;
 }
 
-/// A quarter of a CSV field is never needed: labels hold commas, so they stand in quotes.
+/// Labels hold commas, so they stand in quotes.
 std::string quoted(const std::string& text) { return "\"" + text + "\""; }
 
 std::string order_text(const TradeSeries& s, std::size_t observable) {
@@ -37,11 +36,10 @@ std::string order_text(const TradeSeries& s, std::size_t observable) {
 }
 
 std::string failures(const Trade& trade) {
-  std::map<std::string, std::vector<std::string>> by_reason;
   std::string text;
   for (const TradeSeries& s : trade.series) {
     std::string steps, why;
-    int count = 0;
+    std::size_t count = 0;
     for (const SceneOutcome& o : s.points) {
       if (!o.failed) continue;
       ++count;
@@ -49,6 +47,7 @@ std::string failures(const Trade& trade) {
       why = o.why;
     }
     if (count == 0) continue;
+    if (count == s.points.size()) steps = "every step";
     text += "  " + s.label + ", " + steps + ": " + why + "\n";
   }
   for (const auto& [label, why] : trade.refused) text += "  " + label + ": " + why + "\n";
@@ -67,6 +66,8 @@ std::string duration_text(double ns) {
   if (ns < 1e9) return number("%.3g ms", ns / 1e6);
   return number("%.3g s", ns / 1e9);
 }
+
+std::string short_number(const Rational& value) { return number("%.6g", value.to_double()); }
 
 std::string error_text(double value, const std::string& unit) {
   return number("%.3g", value) + (unit.empty() ? "" : " " + unit);

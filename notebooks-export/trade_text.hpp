@@ -22,6 +22,8 @@ Figure trade_figure(const Trade& trade);
 
 /// "1.2 us", "3.4 ms": nanoseconds for a reader.
 std::string duration_text(double nanoseconds);
+/// Up to six significant digits, without zeros behind them.
+std::string short_number(const Rational& value);
 /// "3.4e-05 m": three significant digits and the unit.
 std::string error_text(double value, const std::string& unit);
 

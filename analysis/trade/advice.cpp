@@ -13,23 +13,25 @@ namespace shortfall {
 
 namespace {
 
-constexpr std::array kUsual{"explicit-euler",
-                            "symplectic-euler",
-                            "symplectic-euler-drift-kick",
-                            "velocity-verlet",
-                            "position-verlet",
-                            "implicit-midpoint",
-                            "midpoint",
-                            "heun",
-                            "kutta3",
+/// Those that are likely to need the fewest evaluations come first: what cannot beat them is then given up
+/// early.
+constexpr std::array kUsual{"velocity-verlet",
                             "rk4",
-                            "bogacki-shampine",
-                            "dormand-prince",
-                            "ruth3",
-                            "forest-ruth",
                             "pefrl",
                             "blanes-moan-rkn6",
-                            "yoshida6"};
+                            "kutta3",
+                            "position-verlet",
+                            "midpoint",
+                            "dormand-prince",
+                            "forest-ruth",
+                            "yoshida6",
+                            "bogacki-shampine",
+                            "heun",
+                            "ruth3",
+                            "implicit-midpoint",
+                            "symplectic-euler",
+                            "symplectic-euler-drift-kick",
+                            "explicit-euler"};
 constexpr std::array kSubsteps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 256, 512, 1024};
 constexpr std::int64_t kMostFrames = 2'000'000;
 constexpr std::size_t kFinalists = 8;
@@ -89,12 +91,19 @@ class Adviser {
       for (const char* n : kUsual) names.emplace_back(n);
     std::vector<StepChoice> ways;
     for (const std::string& name : names)
-      for (const std::string& format : scene_.budget.formats)
-        for (const bool launched : {false, true}) {
-          StepChoice way{find_integrator(name).name, {}, launched, float_format(format).name(), scene_.step};
-          if (way.integrator == scene_.budget.integrator) way.parameters = scene_.budget.parameters;
-          ways.push_back(std::move(way));
+      for (const bool launched : {false, true}) {
+        StepChoice way{find_integrator(name).name, {}, launched, "", scene_.step};
+        if (way.integrator == scene_.budget.integrator) way.parameters = scene_.budget.parameters;
+        try {
+          if (launched) way.launch = launch_of(scene_, way, advice_.kept);
+        } catch (const Error&) {
+          continue;  // it has none for these forces
         }
+        for (const std::string& format : scene_.budget.formats) {
+          way.format = float_format(format).name();
+          ways.push_back(way);
+        }
+      }
     return ways;
   }
 
@@ -107,10 +116,23 @@ class Adviser {
       nearest_ = share;
       advice_.closest = outcome;
     }
+    if (share < best_of_way_ * 0.7) {
+      best_of_way_ = share;
+      without_gain_ = 0;
+    } else {
+      ++without_gain_;
+    }
     return outcome.meets(scene_, 1 / question_.margin) ? std::optional(std::move(outcome)) : std::nullopt;
   }
 
-  bool is_hopeless(const StepChoice&, std::int64_t steps) const {
+  /// Shorter steps no longer help: the rounding of the format is in the way.
+  bool is_stuck() const { return without_gain_ >= 4 && best_of_way_ < INFINITY; }
+  void begin_way() {
+    best_of_way_ = INFINITY;
+    without_gain_ = 0;
+  }
+
+  bool is_hopeless(std::int64_t steps) const {
     return least_evaluations_ > 0 &&
            static_cast<double>(steps) > kHopeless * static_cast<double>(least_evaluations_);
   }
@@ -140,9 +162,11 @@ class Adviser {
   /// The fewest substeps of a frame that are good enough.
   std::optional<SceneOutcome> with_substeps(StepChoice choice, const Rational& frame) {
     choice.frame = frame;
+    begin_way();
     const std::int64_t frames = frames_to(advice_.reference.end, frame);
     for (int n : kSubsteps) {
-      if (n > scene_.budget.most_substeps || frames * n > kMostFrames || is_hopeless(choice, frames * n))
+      if (n > scene_.budget.most_substeps || frames * n > kMostFrames || is_hopeless(frames * n) ||
+          is_stuck())
         return std::nullopt;
       choice.substeps = n;
       if (auto found = run(choice)) return found;
@@ -158,7 +182,8 @@ class Adviser {
       choice.frame = Rational::parse((whole / Rational(steps)).significant(4));
       return run(choice);
     };
-    for (std::int64_t steps = 4; steps <= kMostFrames && !is_hopeless(choice, steps); steps *= 2) {
+    begin_way();
+    for (std::int64_t steps = 4; steps <= kMostFrames && !is_hopeless(steps) && !is_stuck(); steps *= 2) {
       std::optional<SceneOutcome> found = with(steps);
       // An error can pass through zero by accident: a shorter step must be good as well.
       if (!found || !with(steps + steps / 4 + 1)) continue;
@@ -191,11 +216,10 @@ class Adviser {
       for (std::size_t i = 0; i < outcomes.size(); ++i) {
         SceneOutcome& o = outcomes[i];
         if (r > 1 && o.nanoseconds > 2e8) continue;
-        const int inner = o.nanoseconds > 0 && o.nanoseconds < 2e4 ? 20 : 1;
-        double sum = 0;
-        for (int k = 0; k < inner; ++k)
-          sum += steppings[i].time(frames_to(advice_.reference.end, o.choice.frame));
-        if (o.nanoseconds == 0 || sum / inner < o.nanoseconds) o.nanoseconds = sum / inner;
+        const std::int64_t frames = frames_to(advice_.reference.end, o.choice.frame);
+        const double one = nanoseconds_of([&] { steppings[i].run(frames); },
+                                          o.nanoseconds > 0 && o.nanoseconds < 2e4 ? 20 : 1);
+        if (o.nanoseconds == 0 || one < o.nanoseconds) o.nanoseconds = one;
       }
   }
 
@@ -205,6 +229,8 @@ class Adviser {
   const Progress& progress_;
   std::int64_t least_evaluations_ = 0;
   double nearest_ = INFINITY;
+  double best_of_way_ = INFINITY;
+  int without_gain_ = 0;
 };
 
 /// The parts of the error of the best.

@@ -79,6 +79,13 @@ LaunchTerms::Vector LaunchTerms::differential(const Tree& tree, const At& at) co
 
 /// A derivative of the force in the directions of the children.
 LaunchTerms::Vector LaunchTerms::derivative(const Tree& tree, const At& at) const {
+  if (tree.children.empty()) {
+    Vector result(at.x.size());
+    std::vector<DoubleDouble> work(tape_.nodes.size());
+    run_tape(tape_, at.x.data(), at.v.data(), at.t, static_cast<int>(at.x.size()), double_double, work,
+             result.data());
+    return result;
+  }
   using Number = Nilpotent<DoubleDouble>;
   const int directions = static_cast<int>(tree.children.size());
   std::vector<Number> x, v;

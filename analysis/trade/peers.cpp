@@ -2,7 +2,6 @@
 #include "analysis/trade/peers.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 #include "analysis/trade/frame_reader.hpp"
@@ -52,55 +51,40 @@ SceneOutcome observed(const Peer& peer, const Scene& scene, const SceneReference
   return outcome;
 }
 
-double timed(const Peer& peer, const Scene& scene, double end, double h, double tolerance) {
-  using Clock = std::chrono::steady_clock;
-  PeerForce force(scene);
-  std::vector<double> y = start(scene);
-  const auto from = Clock::now();
-  peer.run(force, std::move(y), end, h, tolerance, {});
-  return std::chrono::duration<double, std::nano>(Clock::now() - from).count();
-}
-
 constexpr int kTolerances = 11;
-constexpr double kMostMeasured = 2e8;  ///< nanoseconds of one measurement
 
 /// Those that choose their steps by a tolerance go through tolerances instead of steps.
 double tolerance_of(int k) { return std::pow(10.0, -2 - k); }
 
+std::vector<std::shared_ptr<const Peer>> all_peers() {
+  std::vector<std::shared_ptr<const Peer>> peers;
+  for (auto& p : gsl_peers()) peers.push_back(std::move(p));
+  for (auto& p : odeint_peers()) peers.push_back(std::move(p));
+  return peers;
+}
+
 }  // namespace
 
-std::vector<TradeSeries> peer_series(const Scene& scene, const SceneReference& reference,
-                                     const std::vector<Rational>& steps, int repeats) {
+std::vector<PeerSeries> peer_series(const Scene& scene, const SceneReference& reference,
+                                    const std::vector<Rational>& steps) {
   const double end = reference.end.high();
-  std::vector<std::unique_ptr<Peer>> peers = gsl_peers();
-  for (auto& p : odeint_peers()) peers.push_back(std::move(p));
-  std::vector<TradeSeries> all;
-  std::vector<std::vector<std::pair<double, double>>> asked;  // step, tolerance
-  for (const auto& peer : peers) {
-    TradeSeries series{peer->name(), {}, "f64", false, {}};
-    asked.emplace_back();
+  std::vector<PeerSeries> all;
+  for (const auto& peer : all_peers()) {
+    PeerSeries series{{peer->name(), {}, "f64", false, {}}, {}};
     const int count = peer->adaptive() ? kTolerances : static_cast<int>(steps.size());
     for (int i = 0; i < count; ++i) {
-      const double h =
-          peer->adaptive() ? steps[0].to_double() : steps[static_cast<std::size_t>(i)].to_double();
-      const double tolerance = peer->adaptive() ? tolerance_of(i) : 0;
+      const Rational step = peer->adaptive() ? steps[0] : steps[static_cast<std::size_t>(i)];
+      const double h = step.to_double(), tolerance = peer->adaptive() ? tolerance_of(i) : 0;
       SceneOutcome outcome = observed(*peer, scene, reference, h, tolerance);
       outcome.choice.integrator = peer->name();
-      outcome.choice.frame = peer->adaptive() ? Rational(0) : steps[static_cast<std::size_t>(i)];
+      outcome.choice.frame = peer->adaptive() ? Rational(0) : step;
       outcome.tolerance = tolerance;
-      series.points.push_back(std::move(outcome));
-      asked.back().emplace_back(h, tolerance);
+      series.series.points.push_back(std::move(outcome));
+      series.once.push_back([peer, force = std::make_shared<PeerForce>(scene), y = start(scene), end, h,
+                             tolerance] { peer->run(*force, y, end, h, tolerance, {}); });
     }
     all.push_back(std::move(series));
   }
-  for (int r = 0; r < repeats; ++r)
-    for (std::size_t p = 0; p < all.size(); ++p)
-      for (std::size_t i = 0; i < all[p].points.size(); ++i) {
-        SceneOutcome& o = all[p].points[i];
-        if (o.failed || (r > 1 && o.nanoseconds > kMostMeasured)) continue;
-        const double one = timed(*peers[p], scene, end, asked[p][i].first, asked[p][i].second);
-        if (o.nanoseconds == 0 || one < o.nanoseconds) o.nanoseconds = one;
-      }
   return all;
 }
 

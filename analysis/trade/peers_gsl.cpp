@@ -2,7 +2,6 @@
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 
-#include <chrono>
 #include <cmath>
 
 #include "analysis/trade/frame_reader.hpp"
@@ -19,24 +18,14 @@ int field(double t, const double* y, double* slope, void* data) {
   return GSL_SUCCESS;
 }
 
-struct Stepper {
-  const gsl_odeiv2_step_type* type;
-  gsl_odeiv2_step* step;
-  gsl_odeiv2_control* control = nullptr;
-  gsl_odeiv2_evolve* evolve;
-
-  Stepper(const gsl_odeiv2_step_type* the_type, std::size_t size, double tolerance)
-      : type(the_type),
-        step(gsl_odeiv2_step_alloc(type, size)),
-        control(tolerance > 0 ? gsl_odeiv2_control_y_new(tolerance, tolerance) : nullptr),
-        evolve(gsl_odeiv2_evolve_alloc(size)) {}
-  Stepper(const Stepper&) = delete;
-  Stepper& operator=(const Stepper&) = delete;
-  ~Stepper() {
-    gsl_odeiv2_evolve_free(evolve);
-    if (control) gsl_odeiv2_control_free(control);
-    gsl_odeiv2_step_free(step);
-  }
+/// Its steppers of several steps want to know their driver, so all that choose their steps have one.
+struct Driver {
+  gsl_odeiv2_driver* driver;
+  Driver(const gsl_odeiv2_system& system, const gsl_odeiv2_step_type* type, double h, double tolerance)
+      : driver(gsl_odeiv2_driver_alloc_y_new(&system, type, h, tolerance, tolerance)) {}
+  Driver(const Driver&) = delete;
+  Driver& operator=(const Driver&) = delete;
+  ~Driver() { gsl_odeiv2_driver_free(driver); }
 };
 
 class GslPeer : public Peer {
@@ -49,13 +38,14 @@ class GslPeer : public Peer {
   bool run(PeerForce& force, std::vector<double> y, double end, double h, double tolerance,
            const PeerFrame& frame) const override {
     gsl_odeiv2_system system{field, nullptr, y.size(), &force};
-    const Stepper s(type_, y.size(), adaptive_ ? tolerance : 0);
+    // A driver without a tolerance of its own still makes the stepper; fixed steps do not look at it.
+    const Driver with(system, type_, h, adaptive_ ? tolerance : 1);
     double t = 0;
     if (!adaptive_) {
       const auto steps = static_cast<std::int64_t>(std::ceil(end / h - 1e-9));
       for (std::int64_t n = 0; n < steps; ++n) {
-        if (gsl_odeiv2_evolve_apply_fixed_step(s.evolve, nullptr, s.step, &system, &t, h, y.data()) !=
-            GSL_SUCCESS)
+        if (gsl_odeiv2_evolve_apply_fixed_step(with.driver->e, nullptr, with.driver->s, &system, &t, h,
+                                               y.data()) != GSL_SUCCESS)
           return false;
         t = static_cast<double>(n + 1) * h;
         if (frame && !frame(t, y)) return false;
@@ -64,8 +54,8 @@ class GslPeer : public Peer {
     }
     double width = h;
     while (t < end) {
-      if (gsl_odeiv2_evolve_apply(s.evolve, s.control, s.step, &system, &t, end, &width, y.data()) !=
-              GSL_SUCCESS ||
+      if (gsl_odeiv2_evolve_apply(with.driver->e, with.driver->c, with.driver->s, &system, &t, end, &width,
+                                  y.data()) != GSL_SUCCESS ||
           !std::isfinite(y[0]) || force.evaluations > kMostPeerEvaluations)
         return false;
       if (frame && !frame(t, y)) return false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <boost/numeric/odeint.hpp>
 #include <cmath>
+#include <functional>
 
 #include "analysis/trade/peers.hpp"
 
@@ -9,7 +10,7 @@ namespace shortfall {
 namespace {
 
 namespace odeint = boost::numeric::odeint;
-using State = std::vector<double>;
+using Doubles = std::vector<double>;
 
 /// Thrown through odeint to end a run.
 struct Stop {};
@@ -20,8 +21,8 @@ class FixedPeer : public Peer {
   bool adaptive() const override { return false; }
   bool run(PeerForce& force, std::vector<double> y, double end, double h, double,
            const PeerFrame& frame) const override {
-    odeint::runge_kutta4<State> stepper;
-    const auto system = [&](const State& s, State& slope, double t) { force(t, s.data(), slope.data()); };
+    odeint::runge_kutta4<Doubles> stepper;
+    const auto system = [&](const Doubles& s, Doubles& slope, double t) { force(t, s.data(), slope.data()); };
     const auto steps = static_cast<std::int64_t>(std::ceil(end / h - 1e-9));
     for (std::int64_t n = 0; n < steps; ++n) {
       stepper.do_step(system, y, static_cast<double>(n) * h, h);
@@ -34,13 +35,14 @@ class FixedPeer : public Peer {
 template <class Controlled>
 class AdaptivePeer : public Peer {
  public:
-  AdaptivePeer(std::string name, Controlled (*make)(double)) : name_(std::move(name)), make_(make) {}
+  AdaptivePeer(std::string name, std::function<Controlled(double)> make)
+      : name_(std::move(name)), make_(std::move(make)) {}
   std::string name() const override { return name_; }
   bool adaptive() const override { return true; }
   bool run(PeerForce& force, std::vector<double> y, double end, double h, double tolerance,
            const PeerFrame& frame) const override {
     Controlled stepper = make_(tolerance);
-    const auto system = [&](const State& s, State& slope, double t) { force(t, s.data(), slope.data()); };
+    const auto system = [&](const Doubles& s, Doubles& slope, double t) { force(t, s.data(), slope.data()); };
     double t = 0, width = h;
     while (t < end) {
       if (t + width > end) width = end - t;
@@ -54,22 +56,25 @@ class AdaptivePeer : public Peer {
 
  private:
   std::string name_;
-  Controlled (*make_)(double);
+  std::function<Controlled(double)> make_;
 };
 
-using Dopri = odeint::result_of::make_controlled<odeint::runge_kutta_dopri5<State>>::type;
+template <class Make>
+std::unique_ptr<Peer> adaptive_peer(std::string name, Make make) {
+  return std::make_unique<AdaptivePeer<decltype(make(0.0))>>(std::move(name), make);
+}
 
 }  // namespace
 
 std::vector<std::unique_ptr<Peer>> odeint_peers() {
   std::vector<std::unique_ptr<Peer>> peers;
   peers.push_back(std::make_unique<FixedPeer>());
-  peers.push_back(std::make_unique<AdaptivePeer<Dopri>>("odeint dopri5, adaptive", [](double tolerance) {
-    return odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<State>());
+  peers.push_back(adaptive_peer("odeint dopri5, adaptive", [](double tolerance) {
+    return odeint::make_controlled(tolerance, tolerance, odeint::runge_kutta_dopri5<Doubles>());
   }));
-  peers.push_back(std::make_unique<AdaptivePeer<odeint::bulirsch_stoer<State>>>(
-      "odeint bulirsch_stoer, adaptive",
-      [](double tolerance) { return odeint::bulirsch_stoer<State>(tolerance, tolerance); }));
+  peers.push_back(adaptive_peer("odeint bulirsch_stoer, adaptive", [](double tolerance) {
+    return odeint::bulirsch_stoer<Doubles>(tolerance, tolerance);
+  }));
   return peers;
 }
 

@@ -33,6 +33,7 @@ SceneObserver<T>::SceneObserver(const Scene& scene, TaylorFlow<T>& flow,
       end_(end),
       m_(scene.coordinates()),
       tops_(scene.observables.size()),
+      last_(scene.observables.size()),
       times_(scene.observables.size()),
       next_time_(scene.observables.size(), 0),
       values_(scene.observables.size()) {
@@ -68,15 +69,20 @@ void SceneObserver<T>::frame(const T& t, const std::vector<T>& x, const std::vec
     const SceneObservable& o = scene_.observables[i];
     if (!is_top(o.kind)) continue;
     const int c = apexes_[i].coordinate - m_;
-    if (!o.at_frames) {
-      const std::size_t known = apexes_[i].passings.size();
-      look(apexes_[i], first);
-      if (apexes_[i].passings.size() > known) {
-        const Passing& p = apexes_[i].passings.back();
-        top(i, p.place[static_cast<std::size_t>(o.axis)], p.time);
-      }
+    const bool within = !(rough(t_) > rough(end_));
+    if (o.at_frames) {
+      if (within) top(i, x_[static_cast<std::size_t>(c)], t_);
+      continue;
     }
-    if (!(rough(t_) > rough(end_))) top(i, x_[static_cast<std::size_t>(c)], t_);
+    // Between frames: where it turns, and where it begins and ends. Frames beside a turn are as high, to rounding.
+    const std::size_t known = apexes_[i].passings.size();
+    look(apexes_[i], first);
+    if (apexes_[i].passings.size() > known) {
+      const Passing& p = apexes_[i].passings.back();
+      top(i, p.place[static_cast<std::size_t>(o.axis)], p.time);
+    }
+    if (first) top(i, x_[static_cast<std::size_t>(c)], t_);
+    if (within) last_[i] = {true, x_[static_cast<std::size_t>(c)], t_};
   }
   if (!first) at_times();
   if (energy_ && !(rough(t_) > rough(end_) * (1 + 1e-12))) {
@@ -252,9 +258,11 @@ SceneReading<T> SceneObserver<T>::reading(std::size_t i) const {
   const SceneObservable& o = scene_.observables[i];
   switch (o.kind) {
     case Kind::peak:
-    case Kind::apex_time:
+    case Kind::apex_time: {
       if (!tops_[i].any) return {false, "there is no frame"};
-      return {true, {}, {o.kind == Kind::peak ? tops_[i].height : tops_[i].time}};
+      const Top& best = last_[i].any && tops_[i].height < last_[i].height ? last_[i] : tops_[i];
+      return {true, {}, {o.kind == Kind::peak ? best.height : best.time}};
+    }
     case Kind::energy_drift:
       if (!std::isfinite(drift_)) return {false, "the energy is not finite"};
       return {true, {}, {T(drift_)}};

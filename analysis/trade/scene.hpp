@@ -102,6 +102,7 @@ struct SceneBudget {
 /// A situation: bodies, forces, what is looked at and how precise it has to be.
 struct Scene {
   std::string file;
+  std::string text;  ///< of the file
   std::string name;
   std::string title;
   UnitSystem units;

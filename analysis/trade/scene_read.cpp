@@ -42,6 +42,7 @@ class SceneReader {
   SceneReader(const std::string& text, const std::string& file)
       : text_(text, file), context_{text_, scene_, false, {}} {
     scene_.file = file;
+    scene_.text = text;
     const std::size_t slash = file.find_last_of('/');
     scene_.name = slash == std::string::npos ? file : file.substr(slash + 1);
     if (scene_.name.ends_with(".toml")) scene_.name.resize(scene_.name.size() - 5);
@@ -236,6 +237,8 @@ class SceneReader {
     o.axis = axis(table, scene_.dimension - 1);
     o.dimension = {context_.angles ? 0 : entry->length, entry->time, 0};
     o.unit = scene_.units.unit(o.dimension);
+    if ((context_.angles && entry->length != 0) || o.kind == Kind::phase)
+      o.unit = "rad" + (entry->time == 0 ? "" : "/" + scene_.units.time);
     o.tolerance =
         positive(text_.need(table, "tolerance", "the observable '" + kind + "'"), "tolerance", o.dimension);
     read_when(table, o, kind);

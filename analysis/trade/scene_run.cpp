@@ -78,10 +78,18 @@ ForceChoice asked_forces(const Scene& scene, const std::string& integrator, cons
   return result;
 }
 
+std::shared_ptr<const Processing> launch_of(const Scene& scene, const StepChoice& choice,
+                                            const ForceChoice& chosen) {
+  const SmoothTape stepped = acceleration_tape(scene, asked_forces(scene, choice.integrator, chosen));
+  auto launch = launch_for(find_integrator(choice.integrator), choice.parameters, force_read_by(stepped));
+  if (!launch) throw Unable(choice.integrator + " has no launch that raises its order for these forces");
+  return std::make_shared<const Processing>(std::move(*launch));
+}
+
 struct SceneStepping::Machine {
   virtual ~Machine() = default;
   virtual SceneOutcome observe(const SceneReference& reference) = 0;
-  virtual double time(std::int64_t frames) = 0;
+  virtual void step_through(std::int64_t frames) = 0;
 };
 
 template <class S>
@@ -104,8 +112,7 @@ struct SceneStepping::MachineOf : Machine {
     v0 = initial_velocities(scene);
     if (choice.launched) {
       const SmoothTape stepped = acceleration_tape(scene, asked_forces(scene, choice.integrator, chosen));
-      const auto launch = launch_for(program, parameters, force_read_by(stepped));
-      if (!launch) throw Unable(choice.integrator + " has no launch that raises its order for these forces");
+      const auto launch = choice.launch ? choice.launch : launch_of(scene, choice, chosen);
       step = double_double(h);
       read_out.emplace(stepped, launch->read_out);
       LaunchTerms(stepped, launch->launch).add(x0, v0, DoubleDouble(0), step);
@@ -114,7 +121,7 @@ struct SceneStepping::MachineOf : Machine {
     // Of a file of the user's there is no compiled code, of pairs of binary64 neither.
     constexpr bool compiled = !std::is_same_v<S, DoubleDouble>;
     if constexpr (compiled) {
-      if (!why_not_native(program))
+      if (!choice.interpreted && !why_not_native(program))
         run = native_run<S>(program, parameters, nearest<S>(h), m, ForceReference<S>(force));
     }
     if (!run) run = interpreted_run<S>(program, parameters, h, m, ForceReference<S>(force));
@@ -180,16 +187,13 @@ struct SceneStepping::MachineOf : Machine {
     return reader.frame(t, at, moving);
   }
 
-  double time(std::int64_t frames) override {
-    using Clock = std::chrono::steady_clock;
-    const auto from = Clock::now();
+  void step_through(std::int64_t frames) override {
     begin();
     if (!acceleration.holds())
       run->run(frames * steps_a_frame);
     else
       for (std::int64_t n = 0; n < frames; ++n) frame();
     run->read_out(x, v);
-    return std::chrono::duration<double, std::nano>(Clock::now() - from).count();
   }
 
   const Scene& scene;
@@ -225,6 +229,13 @@ SceneStepping::~SceneStepping() = default;
 SceneStepping::SceneStepping(SceneStepping&&) noexcept = default;
 
 SceneOutcome SceneStepping::observe(const SceneReference& reference) { return machine_->observe(reference); }
-double SceneStepping::time(std::int64_t frames) { return machine_->time(frames); }
+void SceneStepping::run(std::int64_t frames) { machine_->step_through(frames); }
+
+double nanoseconds_of(const std::function<void()>& once, int times) {
+  using Clock = std::chrono::steady_clock;
+  const auto from = Clock::now();
+  for (int i = 0; i < times; ++i) once();
+  return std::chrono::duration<double, std::nano>(Clock::now() - from).count() / times;
+}
 
 }  // namespace shortfall

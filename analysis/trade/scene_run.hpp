@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct StepChoice {
   std::string format = "f64";  ///< f32 or f64
   Rational frame;              ///< the frame time, in the scene's unit of time
   int substeps = 1;            ///< steps of frame/substeps between two frames
+  /// What the launch is; null: the stepping finds it itself.
+  std::shared_ptr<const Processing> launch{};
+  bool interpreted = false;  ///< not by compiled code, even where there is some
 
   std::string label() const;  ///< "symplectic-euler + launch, f32"
 };
@@ -49,8 +53,8 @@ class SceneStepping {
 
   /// Steps to the end of the scene and reads the observables.
   SceneOutcome observe(const SceneReference& reference);
-  /// Nanoseconds for `frames` frames from the start, nothing read.
-  double time(std::int64_t frames);
+  /// So many frames from the start, nothing read: to be measured.
+  void run(std::int64_t frames);
 
  private:
   struct Machine;
@@ -59,11 +63,20 @@ class SceneStepping {
   std::unique_ptr<Machine> machine_;
 };
 
+/// The launch of an integrator for the forces of a scene, to be used for all steps.
+///
+/// throws  Unable  when there is none
+std::shared_ptr<const Processing> launch_of(const Scene& scene, const StepChoice& choice,
+                                            const ForceChoice& chosen = {});
+
 /// How many frames reach the end.
 std::int64_t frames_to(const DoubleDouble& end, const Rational& frame);
 
 /// The forces that an integrator is asked for: those of the scene, without what the budget's engine does
 /// itself.
 ForceChoice asked_forces(const Scene& scene, const std::string& integrator, const ForceChoice& chosen = {});
+
+/// How long something takes, the mean of so many times.
+double nanoseconds_of(const std::function<void()>& once, int times);
 
 }  // namespace shortfall

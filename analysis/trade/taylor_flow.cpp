@@ -225,7 +225,7 @@ double TaylorFlow<T>::to_corner(double length) const {
       double high = length * s / kSamples, low = length * (s - 1) / kSamples;
       if (!(u(high) < 0)) continue;
       if (s == 1) low = std::numeric_limits<double>::min();
-      for (int halving = 0; halving < 200 && low < high; ++halving) {
+      for (;;) {  // as many halvings as a double has exponents and digits, at most
         const double middle = low + (high - low) / 2;
         if (middle <= low || middle >= high) break;
         (u(middle) < 0 ? high : low) = middle;

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/trade/trade.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
-#include <numeric>
+#include <mutex>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/floating/float_format.hpp"
 #include "analysis/program/catalogue.hpp"
-#include "analysis/program/transform.hpp"
-#include "analysis/trade/taylor_numbers.hpp"
 
 namespace shortfall {
 
@@ -38,29 +39,29 @@ std::vector<std::string> usual_integrators(const Scene& scene) {
 
 struct Timing {
   SceneOutcome* outcome;
-  SceneStepping stepping;
-  std::int64_t frames;
-  double best = 0;
+  std::function<void()> once;
 };
 
 /// Each in turn, again and again, so that what else the machine does hits all alike; the least counts.
 void measure(std::vector<Timing>& timings, int repeats, const Progress& progress) {
-  for (int r = 0; r < repeats; ++r) {
-    int done = 0;
-    for (Timing& t : timings) {
-      if (progress && done++ % 16 == 0)
-        progress("measuring times", r * static_cast<int>(timings.size()) + done,
-                 repeats * static_cast<int>(timings.size()));
-      if (r > 1 && t.best > kMostMeasured) continue;
+  const int all = static_cast<int>(timings.size());
+  for (int r = 0; r < repeats; ++r)
+    for (int i = 0; i < all; ++i) {
+      if (progress && i % 16 == 0) progress("measuring times", r * all + i, repeats * all);
+      double& best = timings[static_cast<std::size_t>(i)].outcome->nanoseconds;
+      if (r > 1 && best > kMostMeasured) continue;
       // Short runs are repeated within a measurement: a clock has its own grain.
-      const int inner = t.best > 0 && t.best < 2e4 ? 10 : 1;
-      double sum = 0;
-      for (int i = 0; i < inner; ++i) sum += t.stepping.time(t.frames);
-      const double one = sum / inner;
-      if (t.best == 0 || one < t.best) t.best = one;
+      const double one =
+          nanoseconds_of(timings[static_cast<std::size_t>(i)].once, best > 0 && best < 2e4 ? 10 : 1);
+      if (best == 0 || one < best) best = one;
     }
-  }
-  for (Timing& t : timings) t.outcome->nanoseconds = t.best;
+}
+
+/// What finds it again: its name, or the path of its file.
+std::string name_of(const Program& program) {
+  const bool is_ours = std::ranges::any_of(
+      catalogue(), [&](const Program& p) { return p.name == program.name && p.file == program.file; });
+  return is_ours ? program.name : program.file;
 }
 
 double unit_roundoff(const std::string& format) {
@@ -75,6 +76,27 @@ double magnitude(const SceneReading<DoubleDouble>& reading) {
 }
 
 }  // namespace
+
+std::vector<SceneOutcome> run_points_in_threads(std::size_t count,
+                                                const std::function<SceneOutcome(std::size_t)>& one,
+                                                const Progress& progress) {
+  std::vector<SceneOutcome> outcomes(count);
+  std::atomic<int> done = 0;
+  std::mutex one_voice;
+  // The last points have the shortest steps and take longest: they come first.
+  tbb::parallel_for(
+      std::size_t{0}, count,
+      [&](std::size_t i) {
+        const std::size_t point = count - 1 - i;
+        outcomes[point] = one(point);
+        const int so_far = ++done;
+        if (!progress) return;
+        const std::lock_guard lock(one_voice);
+        progress("stepping", so_far, static_cast<int>(count));
+      },
+      tbb::simple_partitioner());
+  return outcomes;
+}
 
 std::optional<TradeSeries::Order> observed_order(const std::vector<double>& steps,
                                                  const std::vector<double>& errors, double floor) {
@@ -154,47 +176,67 @@ Trade trade(const Scene& scene, const TradeQuestion& question, const Progress& p
   if (steps.empty())
     throw BadInput("no step of the scene '" + scene.name + "' is short enough to be compared");
 
-  std::vector<Timing> timings;
-  int done = 0;
-  const int all = static_cast<int>(programs.size() * formats.size());
+  struct Point {
+    std::size_t series;
+    StepChoice choice;
+  };
+  std::vector<Point> points;
   for (const Program& program : programs)
-    for (const std::string& format : formats) {
-      if (progress) progress("stepping " + program.name + " in " + format, done++, all);
+    for (const std::string& format : formats)
       for (const bool launched : {false, true}) {
         if (launched && !question.launches) continue;
-        StepChoice choice{program.name, {}, launched, format, steps[0]};
+        StepChoice choice{name_of(program), {}, launched, format, steps[0]};
         if (program.name == scene.budget.integrator) choice.parameters = scene.budget.parameters;
-        TradeSeries series{choice.label(), program.name, format, launched, {}};
+        try {
+          if (launched) choice.launch = launch_of(scene, choice);
+          SceneStepping(scene, choice);
+        } catch (const BadInput&) {
+          throw;
+        } catch (const Error& e) {  // that it has no launch is no news
+          if (!launched) result.refused.emplace_back(choice.label(), e.what());
+          continue;
+        }
+        result.series.push_back({choice.label(), choice.integrator, format, launched, {}});
         for (const Rational& h : steps) {
           choice.frame = h;
-          try {
-            series.points.push_back(SceneStepping(scene, choice).observe(result.reference));
-          } catch (const Unable& e) {
-            if (!launched) result.refused.emplace_back(choice.label(), e.what());
-            break;
-          } catch (const Undefined& e) {
-            if (!launched) result.refused.emplace_back(choice.label(), e.what());
-            break;
-          }
+          points.push_back({result.series.size() - 1, choice});
         }
-        if (!series.points.empty()) result.series.push_back(std::move(series));
       }
-    }
+  const auto one = [&](std::size_t i) {
+    const std::string key = question.store ? point_key(scene, points[i].choice) : "";
+    if (question.store)
+      if (auto kept = question.store->find(key)) return *kept;
+    SceneOutcome outcome = SceneStepping(scene, points[i].choice).observe(result.reference);
+    if (question.store) question.store->put(key, outcome);
+    return outcome;
+  };
+  std::vector<SceneOutcome> outcomes = question.run_points(points.size(), one, progress);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    outcomes[i].choice = points[i].choice;
+    result.series[points[i].series].points.push_back(std::move(outcomes[i]));
+  }
   if (result.series.empty())
     throw Unable("none of these can step the scene: " +
                  (result.refused.empty() ? std::string() : result.refused[0].second));
-  if (result.timed) {
-    for (TradeSeries& s : result.series)
-      for (SceneOutcome& o : s.points) {
-        if (o.failed) continue;
-        timings.push_back(
-            {&o, SceneStepping(scene, o.choice), frames_to(result.reference.end, o.choice.frame)});
-      }
-    measure(timings, question.repeats, progress);
-  }
-  if (question.peers)
-    for (TradeSeries& s : peer_series(scene, result.reference, steps, question.repeats))
-      result.series.push_back(std::move(s));
+  std::vector<Timing> timings;
+  for (TradeSeries& s : result.series)
+    for (SceneOutcome& o : s.points) {
+      if (o.failed) continue;
+      const auto stepping = std::make_shared<SceneStepping>(scene, o.choice);
+      const std::int64_t frames = frames_to(result.reference.end, o.choice.frame);
+      o.nanoseconds = 0;
+      timings.push_back({&o, [stepping, frames] { stepping->run(frames); }});
+    }
+  std::vector<PeerSeries> peers;
+  if (question.peers) peers = peer_series(scene, result.reference, steps);
+  for (PeerSeries& p : peers)
+    for (std::size_t i = 0; i < p.series.points.size(); ++i)
+      if (!p.series.points[i].failed) timings.push_back({&p.series.points[i], p.once[i]});
+  measure(timings, question.repeats, progress);
+  if (question.store && result.timed)
+    for (const TradeSeries& s : result.series)
+      for (const SceneOutcome& o : s.points) question.store->put(point_key(scene, o.choice), o);
+  for (PeerSeries& p : peers) result.series.push_back(std::move(p.series));
 
   for (std::size_t i = 0; i < scene.observables.size(); ++i) {
     result.floors.emplace_back();

@@ -6,9 +6,18 @@
 #include <string>
 #include <vector>
 
+#include "analysis/trade/point_store.hpp"
 #include "analysis/trade/scene_run.hpp"
 
 namespace shortfall {
+
+/// Does the points 0 .. count - 1, in any order and at once if it can, and returns them in theirs.
+using RunPoints = std::function<std::vector<SceneOutcome>(
+    std::size_t count, const std::function<SceneOutcome(std::size_t)>& one, const Progress& progress)>;
+/// By as many threads as the machine has cores.
+std::vector<SceneOutcome> run_points_in_threads(std::size_t count,
+                                                const std::function<SceneOutcome(std::size_t)>& one,
+                                                const Progress& progress);
 
 /// Which ways of stepping a scene are compared.
 struct TradeQuestion {
@@ -17,7 +26,9 @@ struct TradeQuestion {
   bool launches = true;                  ///< those that have a launch also with it
   std::vector<Rational> steps;           ///< empty: eleven, by factors of two around the scene's dt
   int repeats = 10;                      ///< of each time measurement, interleaved; 0: no times
-  bool peers = true;                     ///< GSL's and Boost.odeint's steppers beside ours
+  RunPoints run_points = run_points_in_threads;
+  PointStore* store = nullptr;  ///< where points are kept as they come, and looked up first
+  bool peers = true;            ///< GSL's and Boost.odeint's steppers beside ours
 };
 
 /// One way of stepping with all its steps, from the longest to the shortest.
@@ -72,8 +83,12 @@ double cost(const Trade& trade, const SceneOutcome& outcome);
 std::optional<TradeSeries::Order> observed_order(const std::vector<double>& steps,
                                                  const std::vector<double>& errors, double floor);
 
-/// Steppers of other libraries on the same scene; errors read off in the same way.
-std::vector<TradeSeries> peer_series(const Scene& scene, const SceneReference& reference,
-                                     const std::vector<Rational>& steps, int repeats);
+/// A stepper of another library on the same scene; errors are read off in the same way.
+struct PeerSeries {
+  TradeSeries series;
+  std::vector<std::function<void()>> once;  ///< each point again, nothing read, to be measured
+};
+std::vector<PeerSeries> peer_series(const Scene& scene, const SceneReference& reference,
+                                    const std::vector<Rational>& steps);
 
 }  // namespace shortfall

@@ -109,4 +109,13 @@ inline bool contains(const std::string& text, const std::string& part) {
   return text.find(part) != std::string::npos;
 }
 
+/// The same for a command that runs in a folder, which ends with a code.
+inline nlohmann::json json_of(const Folder& folder, const std::string& arguments, int code = 0) {
+  const Outcome o = folder.run(arguments + " --json");
+  CAPTURE(arguments);
+  CAPTURE(o.error);
+  REQUIRE(o.code == code);
+  return nlohmann::json::parse(o.out);
+}
+
 }  // namespace shortfall

@@ -6,18 +6,6 @@
 
 using namespace shortfall;
 
-namespace {
-
-nlohmann::json json_of(const Folder& folder, const std::string& arguments, int code = 0) {
-  const Outcome o = folder.run(arguments + " --json");
-  CAPTURE(arguments);
-  CAPTURE(o.error);
-  REQUIRE(o.code == code);
-  return nlohmann::json::parse(o.out);
-}
-
-}  // namespace
-
 TEST_CASE("order --json: the fields that other programs rely on") {
   const Folder folder;
   const auto j = json_of(folder, "order forest-ruth");

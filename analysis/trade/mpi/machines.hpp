@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "analysis/trade/trade.hpp"
+
+namespace shortfall {
+
+/// The processes that mpirun started, each perhaps on a machine of its own. Built with -DSHORTFALL_MPI=ON;
+/// without, there is one.
+class Machines {
+ public:
+  Machines();   ///< MPI_Init
+  ~Machines();  ///< MPI_Finalize
+  Machines(const Machines&) = delete;
+  Machines& operator=(const Machines&) = delete;
+
+  int rank() const { return rank_; }
+  int count() const { return count_; }
+  /// Whether this process speaks: the others only work.
+  bool speaks() const { return rank_ == 0; }
+
+  /// Point i is done by process i mod count(), by its threads; process 0 gets all of them, bit for bit, the
+  /// others theirs.
+  ///
+  /// throws  Error  on process 0 what went wrong on any
+  std::vector<SceneOutcome> run_points(std::size_t count, const std::function<SceneOutcome(std::size_t)>& one,
+                                       const Progress& progress) const;
+
+ private:
+  int rank_ = 0;
+  int count_ = 1;
+};
+
+}  // namespace shortfall
