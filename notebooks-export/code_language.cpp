@@ -94,6 +94,7 @@ class Writer : public CodeWriter {
   }
 
   std::string function(const std::string& name) const override {
+    if (name == kCalledForce) return identifier(name, language_);
     const bool known = name == "sqrt" || name == "exp" || name == "pow" || name == "max" || name == "min";
     if (!known) return {};
     switch (language_) {

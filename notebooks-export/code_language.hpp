@@ -15,6 +15,9 @@ namespace shortfall {
 /// elsewhere.
 enum class Language { csharp, cpp, gdscript, python, rust, javascript };
 
+/// What steps call their force in code: a function of position, velocity and time.
+inline constexpr const char* kCalledForce = "acceleration";
+
 /// "csharp" or "c#", "cpp" or "c++", "gdscript", "python", "rust", "javascript", and the endings of their
 /// files.
 std::optional<Language> language_named(std::string_view word);

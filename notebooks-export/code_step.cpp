@@ -21,47 +21,48 @@ struct Line {
 };
 using Lines = std::vector<Line>;
 
-Expr without_force(const Expr& e) {
-  if (e->op == Expression::Op::force) return name("a");
+/// The force as code has it: a number that is known, or a call.
+Expr with_force(const Expr& e, ForceInCode force) {
+  if (e->op == Expression::Op::force && force == ForceInCode::constant) return name("a");
   if (e->operands.empty()) return e;
   auto copy = std::make_shared<Expression>(*e);
-  for (Expr& operand : copy->operands) operand = without_force(operand);
+  for (Expr& operand : copy->operands) operand = with_force(operand, force);
+  if (e->op == Expression::Op::force) return call(kCalledForce, copy->operands);
   return copy;
 }
 
 /// Unknowns in an order in which each is known when it is needed.
-void settle(const Statement& solve, Lines& lines) {
+void settle(const Statement& solve, Lines& lines, ForceInCode force) {
   std::vector<const Unknown*> left;
   for (const Unknown& u : solve.unknowns) left.push_back(&u);
   while (!left.empty()) {
     const auto ready = std::ranges::find_if(left, [&](const Unknown* u) {
       return std::ranges::none_of(
-          left, [&](const Unknown* other) { return mentions(without_force(u->value), other->name); });
+          left, [&](const Unknown* other) { return mentions(with_force(u->value, force), other->name); });
     });
     if (ready == left.end())
-      throw Unable("the stage '" + left.front()->name +
-                   "' stays implicit under a constant force; we cannot write its step");
-    lines.push_back({(*ready)->name, without_force((*ready)->value), 0, {}});
+      throw Unable("the stage '" + left.front()->name + "' stays implicit; we cannot write its step");
+    lines.push_back({(*ready)->name, with_force((*ready)->value, force), 0, {}});
     left.erase(ready);
   }
 }
 
-Lines lines_of(const std::vector<Statement>& block, const Values& parameters) {
+Lines lines_of(const std::vector<Statement>& block, const Values& parameters, ForceInCode force) {
   Lines lines;
   for (const Statement& s : block) {
     switch (s.kind) {
       case Statement::Kind::assign:
         if (s.value->op == Expression::Op::name && s.value->name == s.name) break;  // an impulse taken out
-        lines.push_back({s.name, without_force(s.value), 0, {}});
+        lines.push_back({s.name, with_force(s.value, force), 0, {}});
         break;
       case Statement::Kind::solve:
-        settle(s, lines);
+        settle(s, lines, force);
         break;
       case Statement::Kind::substeps: {
         std::int64_t times = 0;
         (s.value->op == Expression::Op::name ? parameters.at(s.value->name) : s.value->value)
             .fits_int64(times);
-        lines.push_back({"", {}, static_cast<int>(times), lines_of(s.body, parameters)});
+        lines.push_back({"", {}, static_cast<int>(times), lines_of(s.body, parameters, force)});
         break;
       }
       default:
@@ -116,7 +117,7 @@ void keep_for(std::set<std::string> needed, Lines& lines) {
 
 class Printer {
  public:
-  explicit Printer(Language language) : language_(language) {}
+  Printer(Language language, ForceInCode force) : language_(language), force_(force) {}
 
   static int assignments(const Lines& lines, const std::string& name) {
     int count = 0;
@@ -148,16 +149,20 @@ class Printer {
 
  private:
   std::string declaration(const std::string& target, const std::string& value, bool again) const {
+    const bool vectors = force_ == ForceInCode::called;  // of what type they are is the caller's
     switch (language_) {
       case Language::csharp:
+        if (vectors) return "var " + target + " = " + value + ";";
         return "float " + target + " = " + value + ";";
       case Language::cpp:
+        if (vectors) return (again ? "auto " : "const auto ") + target + " = " + value + ";";
         return (again ? "float " : "const float ") + target + " = " + value + ";";
       case Language::gdscript:
         return "var " + target + " := " + value;
       case Language::python:
         return target + " = " + value;
       case Language::rust:
+        if (vectors) return (again ? "let mut " : "let ") + target + " = " + value + ";";
         return (again ? "let mut " : "let ") + target + ": f32 = " + value + ";";
       case Language::javascript:
         return (again ? "let " : "const ") + target + " = " + value + ";";
@@ -217,17 +222,18 @@ class Printer {
   }
 
   Language language_;
+  ForceInCode force_;
   int blocks_ = 0;
 };
 
 }  // namespace
 
-CodeStep code_step(const Program& whole, const Values& parameters, Language language) {
+CodeStep code_step(const Program& whole, const Values& parameters, Language language, ForceInCode force) {
   constexpr int kDigits = 20;  // more than any of these languages' numbers hold
   const Program program = with_numbers(undisturbed(whole), kDigits);
-  Lines start = lines_of(program.start, parameters);
-  Lines step = lines_of(program.step, parameters);
-  Lines finish = lines_of(program.finish, parameters);
+  Lines start = lines_of(program.start, parameters, force);
+  Lines step = lines_of(program.step, parameters, force);
+  Lines finish = lines_of(program.finish, parameters, force);
   std::set<std::string> carried{"x", "v"};
   for (const State& s : program.states) carried.insert(s.name);
   const std::string position = rename_finish(finish, carried);
@@ -244,11 +250,11 @@ CodeStep code_step(const Program& whole, const Values& parameters, Language lang
   keep_for(needed, start);
 
   for (const Lines* lines : {&start, &step, &finish})
-    if (reads(*lines, "t"))
+    if (force == ForceInCode::constant && reads(*lines, "t"))
       throw Unable("the step of " + program.name + " reads the clock; we cannot write it as code yet");
 
   CodeStep result;
-  Printer printer(language);
+  Printer printer(language, force);
   for (const Parameter& p : program.parameters) {
     if (!reads(start, p.name) && !read_by_frame(p.name)) continue;
     printer.names[p.name] = constant_identifier(p.name, language);

@@ -10,6 +10,12 @@
 
 namespace shortfall {
 
+/// What a step does for its force.
+enum class ForceInCode {
+  constant,  ///< it is a number, a
+  called,    ///< acceleration(x, v, t) is called, which the user writes
+};
+
 /// One frame of an integrator under a constant acceleration, in another language: lines without indentation
 /// of their own. They use the names x, v, a, and dt.
 struct CodeStep {
@@ -20,10 +26,11 @@ struct CodeStep {
   std::vector<std::string> parameters;  ///< names of the parameters that occur
 };
 
-/// Under a constant acceleration the places where the force is evaluated do not matter; what only serves to
-/// find them is left out, and implicit stages become explicit.
+/// Under a constant acceleration (ForceInCode::constant) the places where the force is evaluated do not
+/// matter; what only serves to find them is left out, and implicit stages become explicit.
 ///
-/// throws  Unable  when a stage stays implicit or the step reads the clock
-CodeStep code_step(const Program& program, const Values& parameters, Language language);
+/// throws  Unable  when a stage stays implicit, or the step reads the clock under a constant force
+CodeStep code_step(const Program& program, const Values& parameters, Language language,
+                   ForceInCode force = ForceInCode::constant);
 
 }  // namespace shortfall

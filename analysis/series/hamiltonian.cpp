@@ -116,7 +116,8 @@ ModifiedHamiltonian hamiltonian(const SeriesSource& source, const TreeTable& tab
     }
     // One term for each free tree; the root with most children is the one that is written.
     for (TreeId r = table.begin(n); r < table.end(n); ++r) {
-      if (table.function(r) != kForce || free.representative(r) != r || vanishes(field[r])) continue;
+      if (table.function(r) != kForce || free.representative(r) != r) continue;
+      if (source.zero(Fraction(field[r]))) continue;  // zero as far as the digits of the method tell
       Rational roots;  // |Aut| times this is the number of forces: an orbit has |Aut| / sigma elements
       TreeId best = r;
       for (TreeId t = r; t < table.end(n); ++t) {

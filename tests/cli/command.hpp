@@ -45,6 +45,7 @@ class Folder {
   void write(const std::string& file, const std::string& text) const {
     std::ofstream(path_ / file, std::ios::binary) << text;
   }
+  std::string path(const std::string& file) const { return (path_ / file).string(); }
   bool has(const std::string& file) const { return fs::exists(path_ / file); }
 
   /// param   arguments  of the command, as a shell reads them

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <sstream>
+
+#include "analysis/trade/point_store.hpp"
 
 #include "tests/cli/command.hpp"
 
@@ -20,7 +23,7 @@ TEST_CASE("trade: all points in JSON and CSV, orders, a front that only falls") 
   const Folder folder;
   folder.write("s.toml", kOscillator);
   const auto j =
-      json_of(folder, "trade s.toml --integrators symplectic-euler,velocity-verlet,rk4 --repeats 1 --json");
+      json_of(folder, "trade s.toml --integrators symplectic-euler,velocity-verlet,rk4 --repeats 1");
   CHECK(j["schema"] == "shortfall.trade/1");
   CHECK(j["series"].size() >= 6 + 7);  // and those of the other libraries
   for (const auto& s : j["series"]) {
@@ -52,7 +55,7 @@ TEST_CASE("trade: what cannot be stepped is listed with its reason; a file of th
   folder.write("own.integrator", "integrator own\n\nstep\n  v = v + h*a(x, v, t)\n  x = x + h*v\n");
   const auto j = json_of(folder,
                          "trade s.toml --integrators symplectic-euler,own.integrator --formats f64 --repeats "
-                         "0 --no-peers --no-launches --json");
+                         "0 --no-peers --no-launches");
   REQUIRE(j["series"].size() == 2);
   CHECK(j["series"][0]["points"][3]["errors"] == j["series"][1]["points"][3]["errors"]);
 }
@@ -60,7 +63,7 @@ TEST_CASE("trade: what cannot be stepped is listed with its reason; a file of th
 TEST_CASE("advise: what does not matter is left out, what is advised is good enough") {
   const Folder folder;
   folder.write("s.toml", kOscillator);
-  const auto j = json_of(folder, "advise s.toml --json");
+  const auto j = json_of(folder, "advise s.toml");
   CHECK(j["schema"] == "shortfall.advise/1");
   REQUIRE(j["forces"].size() == 2);
   CHECK(j["forces"][0]["dropped"] == false);
@@ -72,6 +75,36 @@ TEST_CASE("advise: what does not matter is left out, what is advised is good eno
   CHECK(text.code == 0);
   CHECK(contains(text.out, "leave out breath"));
   CHECK(contains(text.out, "The parts of the error"));
+}
+
+TEST_CASE("advise --lang: the step that is advised, run as code, ends where the advice says") {
+  const Folder folder;
+  folder.write("s.toml", kOscillator);
+  const Outcome o = folder.run("advise s.toml --lang python --integrators velocity-verlet,symplectic-euler");
+  REQUIRE(o.code == 0);
+  const std::string code = o.out.substr(o.out.find("# "));
+  const auto j = json_of(folder, "advise s.toml --integrators velocity-verlet,symplectic-euler");
+  const std::string frame = j["best"]["dt"];
+  // The user's part: the force, the start, the loop.
+  std::string program =
+      "from fractions import Fraction\ndef acceleration(x, v, t):\n    return -x\nx, v, t, dt = 1.0, 0.0, "
+      "0.0, float(Fraction('" +
+      frame + "'))\nnow = 'start'\n";
+  std::string body = code.substr(code.find("# Every step:"));
+  const std::string once = code.substr(0, code.find("# Every step:"));
+  const std::size_t shown = body.find("# For what is shown");
+  const std::string read_out = shown == std::string::npos ? "" : body.substr(shown);
+  body = body.substr(0, shown);
+  std::string loop = "for n in range(" + std::to_string(j["best"]["steps"].get<int>()) + "):\n";
+  std::istringstream lines(body);
+  for (std::string line; std::getline(lines, line);) loop += "    " + line + "\n";
+  folder.write("run.py", program + once + loop + "    t = t + dt\n" + read_out +
+                             "import math\nprint(repr(x - math.cos(t)))\n");
+  REQUIRE(std::system(("cd '" + folder.path("") + "' && python3 run.py > out.txt 2> err.txt").c_str()) == 0);
+  CHECK(std::fabs(std::stod(folder.text("out.txt"))) < 1.1e-3);
+  for (const char* language : {"csharp", "cpp", "gdscript", "rust", "javascript"})
+    CHECK(contains(folder.run(std::string("advise s.toml --lang ") + language).out, "acceleration"));
+  CHECK(folder.run("advise s.toml --lang cobol").code == 2);
 }
 
 TEST_CASE("advise: exit code 1 when nothing meets the tolerances, with what comes closest") {
@@ -110,3 +143,50 @@ TEST_CASE("scenes that cannot be: exit codes and one sentence, at once") {
   CHECK(folder.run("advise s.toml --margin 0.5").code == 2);
   CHECK(folder.run("trade s.toml --repeats 0 --no-peers -o /nowhere/x").code == 5);
 }
+
+TEST_CASE(
+    "trade --store: killed again and again, it loses only what was in flight, and ends with the same "
+    "points") {
+  const Folder folder;
+  folder.write("s.toml", kOscillator);
+  const std::string asked =
+      "trade s.toml --integrators rk4,velocity-verlet --formats f64 --no-launches --no-peers --repeats 0 "
+      "--dt "
+      "0.005ms:50ms:log:16";
+  std::int64_t kept = 0;
+  for (const char* moment : {"0.3", "0.6", "0.9"}) {
+    const Outcome o = folder.run(asked + " --store s.sqlite", std::string("timeout -s KILL ") + moment);
+    if (o.code == 0) break;
+    CHECK(o.code == 137);
+    if (!folder.has("s.sqlite")) continue;
+    const std::int64_t now = PointStore(folder.path("s.sqlite")).size();
+    CHECK(now >= kept);
+    kept = now;
+  }
+  const auto resumed = json_of(folder, asked + " --store s.sqlite");
+  CHECK(resumed == json_of(folder, asked));
+  CHECK(PointStore(folder.path("s.sqlite")).size() == 32);
+}
+
+#ifdef SHORTFALL_MPIRUN
+TEST_CASE("trade on 1, 2 and 4 processes of MPI: the same points give the same bits") {
+  const Folder folder;
+  folder.write("s.toml", kOscillator);
+  const std::string asked =
+      "trade s.toml --integrators rk4,velocity-verlet,implicit-midpoint --repeats 0 --no-peers --no-launches";
+  const auto alone = json_of(folder, asked);
+  for (const char* processes : {"1", "2", "4"}) {
+    CAPTURE(processes);
+    const Outcome o = folder.run(asked + " --json --store " + processes + ".sqlite",
+                                 std::string("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '") +
+                                     SHORTFALL_MPIRUN + "' --oversubscribe -n " + processes);
+    REQUIRE_MESSAGE(o.code == 0, o.error);
+    CHECK(nlohmann::json::parse(o.out) == alone);
+    CHECK(PointStore(folder.path(std::string(processes) + ".sqlite")).size() == 66);
+  }
+  const Outcome wrong = folder.run(
+      "trade missing.toml", std::string("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '") +
+                                SHORTFALL_MPIRUN + "' --oversubscribe -n 2");
+  CHECK(wrong.code != 0);
+}
+#endif

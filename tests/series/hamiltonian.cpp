@@ -86,6 +86,11 @@ TEST_CASE("modified Hamiltonians as printed in the literature") {
   CHECK(terms("velocity-verlet", 3) == "");
 }
 
+TEST_CASE("methods known by their digits have no terms that are zero as far as the digits tell") {
+  CHECK(modified_hamiltonian(SeriesSource(find_integrator("pefrl"), {}), 4).terms.empty());
+  CHECK(modified_hamiltonian(SeriesSource(find_integrator("pefrl"), {}), 5).terms.size() == 4);
+}
+
 TEST_CASE("a step changes the modified energy by h^(order + 1) only, at 80 digits") {
   const Precision precision(kDigits);
   for (const char* name : {"symplectic-euler", "symplectic-euler-drift-kick", "velocity-verlet",

@@ -4,6 +4,7 @@
 #ifdef SHORTFALL_MPI
 #include <mpi.h>
 
+#include <cstdlib>
 #include <numeric>
 #include <sstream>
 
@@ -15,23 +16,40 @@ namespace shortfall {
 
 #ifdef SHORTFALL_MPI
 
+namespace {
+
+/// Started by an mpirun, of Open MPI, of MPICH or by a scheduler: alone, there is nothing to wait for.
+bool is_one_of_several() {
+  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMI_RANK", "PMIX_RANK"})
+    if (std::getenv(name)) return true;
+  return false;
+}
+
+}  // namespace
+
 Machines::Machines() {
+  if (!is_one_of_several()) return;
+  started_ = true;
   MPI_Init(nullptr, nullptr);
   MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
   MPI_Comm_size(MPI_COMM_WORLD, &count_);
 }
 
-Machines::~Machines() { MPI_Finalize(); }
+Machines::~Machines() {
+  if (started_) MPI_Finalize();
+}
 
 std::vector<SceneOutcome> Machines::run_points(std::size_t count,
                                                const std::function<SceneOutcome(std::size_t)>& one,
                                                const Progress& progress) const {
+  if (!started_) return run_points_in_threads(count, one, progress);
   std::vector<std::size_t> mine;
   for (auto i = static_cast<std::size_t>(rank_); i < count; i += static_cast<std::size_t>(count_))
     mine.push_back(i);
   // "E why" or a line for each point: an error on one process must not leave the others waiting.
   std::string text;
   std::vector<SceneOutcome> result(count);
+  for (SceneOutcome& o : result) o.failed = true;  // until it is known
   try {
     const auto outcomes = run_points_in_threads(
         mine.size(), [&](std::size_t k) { return one(mine[k]); }, progress);

@@ -9,8 +9,8 @@ namespace shortfall {
 /// without, there is one.
 class Machines {
  public:
-  Machines();   ///< MPI_Init
-  ~Machines();  ///< MPI_Finalize
+  Machines();   ///< MPI_Init, where mpirun started this process
+  ~Machines();  ///< MPI_Finalize, then
   Machines(const Machines&) = delete;
   Machines& operator=(const Machines&) = delete;
 
@@ -27,6 +27,7 @@ class Machines {
                                        const Progress& progress) const;
 
  private:
+  bool started_ = false;
   int rank_ = 0;
   int count_ = 1;
 };
