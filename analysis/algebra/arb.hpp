@@ -7,13 +7,16 @@
 #include <gmpxx.h>
 #if __has_include(<flint/arb.h>)
 #include <flint/arb.h>
+#include <flint/arb_fmpz_poly.h>
 #include <flint/fmpq.h>
 #else
 #include <arb.h>
+#include <arb_fmpz_poly.h>
 #include <flint/fmpq.h>
 #endif
 
 // FLINT 2.9 defines ulong as a macro.
+using FlintSize = slong;
 #ifdef ulong
 #undef ulong
 #endif

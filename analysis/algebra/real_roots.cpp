@@ -3,7 +3,8 @@
 
 #include <algorithm>
 
-#include "analysis/algebra/sturm.hpp"
+#include "analysis/algebra/gmp.hpp"
+#include "analysis/algebra/root_count.hpp"
 
 namespace shortfall {
 
@@ -21,16 +22,16 @@ Rational root_bound(const Univariate<Rational>& p) {
 }
 
 /// The real roots in (low, high] of an irreducible polynomial of degree 2 or more: no rational number is a root.
-void isolate(const Univariate<Rational>& p, const Sturm<Rational>& sturm, const Rational& low, const Rational& high, std::vector<RealRoot>& found) {
-  const int count = sturm.roots_between(low, high);
+void isolate(const Univariate<Rational>& p, const RootCount& roots, const Rational& low, const Rational& high, std::vector<RealRoot>& found) {
+  const int count = roots.roots_between(low, high);
   if (count == 0) return;
   if (count == 1) {
     found.emplace_back(p, low, high);
     return;
   }
   const Rational middle = (low + high) / 2;
-  isolate(p, sturm, low, middle, found);
-  isolate(p, sturm, middle, high, found);
+  isolate(p, roots, low, middle, found);
+  isolate(p, roots, middle, high, found);
 }
 
 std::vector<Univariate<Rational>> irreducible_factors(const Univariate<Rational>& p) {
@@ -39,6 +40,13 @@ std::vector<Univariate<Rational>> irreducible_factors(const Univariate<Rational>
   for (const auto& [factor, multiplicity] : factor(Polynomial::in(kUnknown, p.coefficients())).factors)
     factors.push_back(univariate(factor, kUnknown));
   return factors;
+}
+
+/// The largest multiple of a unit whose square is not greater than r, for r >= 0.
+Rational root_below(const Rational& r, const Rational& unit) {
+  mpz_class root = gmp_numerator((r / (unit * unit)).floor());
+  mpz_sqrt(root.get_mpz_t(), root.get_mpz_t());
+  return rational(root) * unit;
 }
 
 /// Halves the intervals of neighbours until they are apart.
@@ -66,7 +74,7 @@ std::vector<RealRoot> roots_from(const std::vector<Univariate<Rational>>& polyno
       continue;
     }
     const Rational bound = root_bound(f);
-    isolate(f, Sturm<Rational>(f), positive_only ? Rational(0) : -bound, bound, roots);
+    isolate(f, RootCount(f), positive_only ? Rational(0) : -bound, bound, roots);
   }
   separate(roots);
   if (positive_only)
@@ -82,7 +90,7 @@ RealRoot::RealRoot(Rational value) : polynomial_(primitive(Univariate<Rational>(
 RealRoot::RealRoot(Univariate<Rational> irreducible, Rational low, Rational high)
     : polynomial_(primitive(irreducible)), low_(std::move(low)), high_(std::move(high)) {
   if (polynomial_.degree() == 1) low_ = high_ = rational();
-  else if (polynomial_.at(low_).sign() * polynomial_.at(high_).sign() >= 0)
+  else if (const ExactSign sign(polynomial_); sign(low_) * sign(high_) >= 0)
     throw Error("the interval from " + low_.str() + " to " + high_.str() + " does not isolate a root");
 }
 
@@ -96,8 +104,9 @@ std::optional<Rational> RealRoot::rational_square() const {
 
 void RealRoot::halve() {
   if (is_rational()) return;
+  const ExactSign sign(polynomial_);
   Rational middle = (low_ + high_) / 2;
-  if (polynomial_.at(middle).sign() == polynomial_.at(low_).sign())
+  if (sign(middle) == sign(low_))
     low_ = std::move(middle);
   else
     high_ = std::move(middle);
@@ -105,15 +114,23 @@ void RealRoot::halve() {
 
 RealRoot RealRoot::refined(const Rational& width) const {
   RealRoot result = *this;
-  while (result.high_ - result.low_ > width) result.halve();
+  if (result.high_ - result.low_ <= width) return result;
+  const ExactSign sign(polynomial_);
+  const int below = sign(low_);
+  while (result.high_ - result.low_ > width) {
+    Rational middle = (result.low_ + result.high_) / 2;
+    (sign(middle) == below ? result.low_ : result.high_) = std::move(middle);
+  }
   return result;
 }
 
 int RealRoot::compare(const Rational& other) const {
   if (is_rational()) return (low_ > other) - (low_ < other);
-  RealRoot narrow = *this;
-  while (narrow.low_ < other && other < narrow.high_) narrow.halve();
-  return narrow.low_ >= other ? 1 : -1;
+  if (other <= low_) return 1;
+  if (other >= high_) return -1;
+  // No rational number is a root: on which side of it the sign changes.
+  const ExactSign sign(polynomial_);
+  return sign(other) == sign(low_) ? 1 : -1;
 }
 
 int RealRoot::compare(const RealRoot& other) const {
@@ -122,7 +139,7 @@ int RealRoot::compare(const RealRoot& other) const {
   if (polynomial_ == other.polynomial_) {
     // Both intervals isolate: the roots are one if the polynomial changes sign where the intervals overlap.
     const Rational low = std::max(low_, other.low_), high = std::min(high_, other.high_);
-    if (low < high && polynomial_.at(low).sign() * polynomial_.at(high).sign() < 0) return 0;
+    if (const ExactSign sign(polynomial_); low < high && sign(low) * sign(high) < 0) return 0;
   }
   RealRoot a = *this, b = other;
   while (!(a.high_ <= b.low_) && !(b.high_ <= a.low_)) {
@@ -196,14 +213,21 @@ RealRoot square_root(const RealRoot& square) {
     if (!doubled.empty()) doubled.push_back(0);
     doubled.push_back(c);
   }
-  std::vector<RealRoot> candidates = positive_roots({Univariate<Rational>(doubled)});
-  // Their squares are different roots of the polynomial: narrowing leaves one.
-  for (RealRoot narrow = square; candidates.size() > 1;) {
-    narrow = narrow.refined((narrow.high() - narrow.low()) / 2);
-    for (RealRoot& c : candidates) c = c.refined((c.high() - c.low()) / 2);
-    std::erase_if(candidates, [&](const RealRoot& c) { return c.high() * c.high() < narrow.low() || c.low() * c.low() > narrow.high(); });
+  std::vector<Univariate<Rational>> factors = irreducible_factors(Univariate<Rational>(doubled));
+  if (factors.size() > 1 && square.is_rational())
+    for (const Univariate<Rational>& f : factors)
+      if (const Rational z = -f[0] / f[1]; z.sign() > 0) return RealRoot(z);
+  // p(z^2) has one root in (a, b) as long as p has one in (a^2, b^2), so one factor has a root there.
+  const Rational least = square.is_rational() ? Rational(0) : std::max(square.low(), Rational(0));
+  for (int bits = 32;; bits *= 2) {
+    const Rational unit = Rational(1, 2).pow(bits);
+    const RealRoot narrow = square.refined(square.high() * unit);
+    if (narrow.low().sign() <= 0) continue;
+    const Rational a = root_below(narrow.low(), unit), b = root_below(narrow.high(), unit) + unit;
+    if (a.sign() <= 0 || a * a < least || (!square.is_rational() && b * b > square.high())) continue;
+    for (Univariate<Rational>& f : factors)
+      if (const ExactSign sign(f); sign(a) * sign(b) < 0) return RealRoot(std::move(f), a, b);
   }
-  return candidates.front();
 }
 
 RealRoot scaled(const RealRoot& number, const Rational& factor) {

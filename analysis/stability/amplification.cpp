@@ -21,6 +21,38 @@ bool belongs_to_motion(const Polynomial& factor) {
       .is_zero();
 }
 
+struct TraceAndDeterminant {
+  Fraction trace;
+  Fraction determinant;
+};
+
+/// Of M^count, from those of M: with roots z and w, V_k = z^k + w^k and D = z w,
+/// V_2k = V_k^2 - 2 D^k and V_2k+1 = V_k V_k+1 - V_1 D^k. No entry of M is needed.
+///
+/// source  Lucas (1878), Theorie des fonctions numeriques simplement periodiques
+template <class Reduce>
+TraceAndDeterminant of_power(const TraceAndDeterminant& m, int count, Reduce reduce) {
+  Fraction now = 2, next = m.trace, power = 1;  // V_k, V_k+1, D^k for the leading bits k of count
+  for (int bit = 30; bit >= 0; --bit) {
+    const bool odd = (count >> bit & 1) != 0;
+    if (count >> bit == 0) continue;
+    const bool last = bit == 0;
+    Fraction between, beyond;
+    if (odd || !last) between = reduce(now * next - m.trace * power);
+    if (odd && !last) beyond = reduce(next * next - Fraction(2) * power * m.determinant);
+    if (!odd) now = reduce(now * now - Fraction(2) * power);
+    power = reduce(power * power);
+    if (odd) {
+      power = reduce(power * m.determinant);
+      now = between;
+      next = beyond;
+    } else {
+      next = between;
+    }
+  }
+  return {now, power};
+}
+
 void split(Amplification& a) {
   std::vector<Fraction> p = characteristic_coefficients(a.matrix);
   for (Fraction& c : p) c = reduced(c, a.algebraic);
@@ -124,11 +156,27 @@ Amplification amplification_at(const Program& program, const Values& given, cons
 
 Amplification repeated(const Amplification& step, int count) {
   if (count == 1) return step;
+  const auto of_part = [count](const Fraction& f) {
+    return f.substitute(kStiffness, Fraction::letter(kStiffness) / Fraction(count * count))
+        .substitute(kDamping, Fraction::letter(kDamping) / Fraction(count));
+  };
+  if (step.nonzero.size() == 3) {
+    Amplification result{.letters = step.letters,
+                         .states = step.states,
+                         .algebraic = step.algebraic,
+                         .matrix = {},
+                         .zeros = step.zeros,
+                         .nonzero = {},
+                         .pair = {}};
+    const TraceAndDeterminant frame =
+        of_power({of_part(step.trace()), of_part(step.determinant())}, count,
+                 [&](Fraction f) { return reduced(std::move(f), step.algebraic); });
+    result.nonzero = result.pair = {frame.determinant, -frame.trace, Fraction(1)};
+    return result;
+  }
   SquareMatrix<Fraction> once = step.matrix;
   for (auto& row : once)
-    for (Fraction& f : row)
-      f = f.substitute(kStiffness, Fraction::letter(kStiffness) / Fraction(count * count))
-              .substitute(kDamping, Fraction::letter(kDamping) / Fraction(count));
+    for (Fraction& f : row) f = of_part(f);
   SquareMatrix<Fraction> matrix = once;
   for (int k = 1; k < count; ++k) matrix = reduced(product(matrix, once), step.algebraic);
   return amplification(std::move(matrix), step.letters, step.states, step.algebraic);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/stability/isolation.hpp"
 
-#include "analysis/algebra/sturm.hpp"
+#include "analysis/algebra/root_count.hpp"
 
 namespace shortfall {
 
 Isolation isolation(const RealRoot& number) {
-  const Sturm<Rational> sturm(number.polynomial());
+  const RootCount roots(number.polynomial());
   for (int places = 1;; ++places) {
     const Rational unit = Rational(10).pow(-places);
     // No decimal is a root of an irreducible polynomial of higher degree: the floors of both ends agree in
@@ -15,7 +15,7 @@ Isolation isolation(const RealRoot& number) {
     while ((narrow.low() / unit).floor() != (narrow.high() / unit).floor())
       narrow = narrow.refined((narrow.high() - narrow.low()) / 2);
     const Rational low = (narrow.low() / unit).floor() * unit, high = low + unit;
-    if (sturm.roots_between(low, high) == 1) return {low.decimal(places), high.decimal(places)};
+    if (roots.roots_between(low, high) == 1) return {low.decimal(places), high.decimal(places)};
   }
 }
 

@@ -99,7 +99,12 @@ Stability stability(const Program& program, const Values& given, int substeps,
   s.of_substep = substeps > kSubstepsInFormulas;
   const int written = s.of_substep ? 1 : substeps;
   // Powers of a frame's matrix are powers of a substep's: they are bounded together.
-  s.numbers = numbers(Damping::none);
+  try {
+    s.numbers = numbers(Damping::none);
+  } catch (const Undefined& e) {
+    throw Undefined("there is no step of " + program.name + " with these parameters" +
+                    (dt ? " and dt = " + dt->str() + " s: " : ": ") + e.what());
+  }
   s.undamped = repeated(dt ? formulas(Damping::none, s.numbers) : amplification(program, given), written);
   s.windows = windows_of(s.numbers, substeps);
   if (const WindowEdge* edge = s.windows.limit(); edge && !edge->pole) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/problems/letters.hpp"
+#include "analysis/stability/growth_at_root.hpp"
 #include "analysis/stability/resultant.hpp"
 #include "analysis/stability/window_walk.hpp"
 #include "analysis/stability/windows_over.hpp"
@@ -115,7 +116,9 @@ WindowEdge edge_at(const SquareMatrix<Fraction>& matrix, Letter letter, const Un
     if (!edge.pole) edge.growth = power_growth(matrix_at(matrix, letter, root.rational()));
   } else {
     edge.pole = divided(poles, root.polynomial()).second.is_zero();
-    if (!edge.pole) edge.growth = power_growth(matrix_at(matrix, letter, root));
+    if (!edge.pole)
+      edge.growth = matrix.size() <= 2 ? growth_at_root(matrix, letter, root)
+                                       : power_growth(matrix_at(matrix, letter, root));
   }
   return edge;
 }
