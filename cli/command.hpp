@@ -35,6 +35,7 @@ struct Question {
   bool latex = false;
   bool csv = false;
   bool ascii = false;
+  bool full = false;  ///< long formulas are written out
   std::string output;
 
   Program program() const;  ///< throws BadInput, SyntaxError
@@ -54,6 +55,7 @@ void add_gravity(CLI::App& command, Question& q);
 void add_parameters(CLI::App& command, Question& q);  ///< --param and --substeps
 void add_json(CLI::App& command, Question& q);
 void add_ascii(CLI::App& command, Question& q);
+void add_full(CLI::App& command, Question& q);
 void add_output(CLI::App& command, Question& q);
 
 /// Each file of a command has one of these: it declares the command; its callback does the work and returns

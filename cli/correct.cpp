@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <memory>
 #include <optional>
 
@@ -15,6 +17,7 @@
 #include "cli/quantity.hpp"
 #include "notebooks-export/code.hpp"
 #include "notebooks-export/code_kit.hpp"
+#include "notebooks-export/linear_code.hpp"
 #include "notebooks-export/linear_text.hpp"
 #include "notebooks-export/result_json.hpp"
 #include "notebooks-export/result_text.hpp"
@@ -26,8 +29,16 @@ namespace {
 std::string as_code(const Question& q, const std::string& word, const std::string& height) {
   const auto language = language_named(word);
   if (!language)
-    throw BadInput("--lang '" + word.substr(0, 60) + "': unknown language" +
+    throw BadInput("--lang '" + word.substr(0, 60) + "': we write " +
+                   fmt::format("{}", fmt::join(language_names(), ", ")) +
                    did_you_mean(word, language_names()));
+  const Force asked = force_named(q.force);
+  const Force force = with_own_equation(asked, q.program(), q.values());
+  if (force.linear() && !(asked.degree == 0 && !asked.linear())) {
+    if (!height.empty()) throw BadInput("--height goes with --lang and a constant force");
+    return linear_kit_code(linear_kit(q.program(), asked, q.values(), q.substeps()),
+                           linear_derivation(q.program(), asked, q.values(), q.substeps()), *language);
+  }
   const int degree = force_degree(q.force);
   if (degree == 0) {
     std::optional<Rational> aim;
@@ -62,7 +73,7 @@ int correct_linear(const Question& q, const Program& program, const Force& force
   } else {
     std::string text = program.name + ", force " + force.text;
     if (program.solves) text += ", the true motion with its own x'' = " + print(program.solves, style);
-    text += "\n" + as_text(kit, style);
+    text += "\n" + as_text(kit, style, q.full);
     if (numbers) text += as_text(*numbers, kit, q.step());
     if (!no_numbers.empty()) text += "  At dt = " + q.step().str() + " s none: " + no_numbers + "\n";
     write_output(text, q.output);
@@ -98,8 +109,9 @@ void add_correct(CLI::App& app, int& code) {
       "The correction kit alone: what to add to launch, read-out, force or step.",
       {"correct symplectic-euler --force constant", "correct symplectic-euler --force constant --lang csharp",
        "correct rapier --height 1.7 --lang rust", "correct explicit-euler --force poly:2 --json",
-       "correct rk4 --force spring:k=4 --dt 1/10", "correct symplectic-euler --force general",
-       "correct velocity-verlet --force general --order 4"});
+       "correct rk4 --force spring:k=4 --dt 1/10",
+       "correct symplectic-euler --force damped-spring --lang cpp",
+       "correct symplectic-euler --force general", "correct velocity-verlet --force general --order 4"});
   auto q = std::make_shared<Question>();
   auto language = std::make_shared<std::string>();
   auto height = std::make_shared<std::string>();
@@ -110,7 +122,7 @@ void add_correct(CLI::App& app, int& code) {
   command
       ->add_option("--lang", *language,
                    "as code: csharp, cpp, gdscript, python, rust, javascript; for a constant force, the "
-                   "corrected jump")
+                   "corrected jump; for springs, dampers and drag, a class with the kit")
       ->type_name("L");
   command
       ->add_option("--height", *height,
@@ -127,6 +139,7 @@ void add_correct(CLI::App& app, int& code) {
   add_gravity(*command, *q);
   add_json(*command, *q);
   add_ascii(*command, *q);
+  add_full(*command, *q);
   add_output(*command, *q);
   command->callback([q, language, height, order, &code] {
     if (language->empty() && !height->empty())

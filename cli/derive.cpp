@@ -29,9 +29,9 @@ int derive_linear(const Question& q, const Program& program, const Force& force)
   if (q.json)
     write_output(as_json(d, kit).dump(2) + "\n", q.output);
   else if (q.latex)
-    write_output(as_latex(d, kit), q.output);
+    write_output(as_latex(d, kit, q.full), q.output);
   else
-    write_output(as_text(d, kit, q.ascii ? Style::language : Style::unicode), q.output);
+    write_output(as_text(d, kit, q.ascii ? Style::language : Style::unicode, q.full), q.output);
   return d.proved() ? kDone : kBug;
 }
 
@@ -86,6 +86,7 @@ void add_derive(CLI::App& app, int& code) {
   add_json(*command, *q);
   command->add_flag("--latex", q->latex, "the derivation as LaTeX (amsmath)");
   add_ascii(*command, *q);
+  add_full(*command, *q);
   add_output(*command, *q);
   command->callback([q, o, &code] { code = o->wanted() ? derive_numbers(*q, *o) : derive(*q); });
 }

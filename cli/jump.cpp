@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 #include <memory>
 
 #include "analysis/algebra/error.hpp"
@@ -26,9 +27,27 @@ struct JumpOptions : Question {
   FrameOptions frames;
 
   LaunchBy by() const {
-    return launch == "impulse" ? LaunchBy::impulse : launch == "force" ? LaunchBy::force : LaunchBy::velocity;
+    return launch == "impulse"           ? LaunchBy::impulse
+           : launch.starts_with("force") ? LaunchBy::force
+                                         : LaunchBy::velocity;
   }
+  /// Of force:N; 1 without a number.
+  int force_frames() const { return launch.starts_with("force:") ? std::stoi(launch.substr(6)) : 1; }
 };
+
+/// Why a text is no way to launch a body; empty when it is one.
+std::string not_a_launch(const std::string& text) {
+  if (text == "velocity" || text == "impulse" || text == "force") return {};
+  if (!text.starts_with("force:"))
+    return "'" + text.substr(0, 40) + "' is none of velocity, impulse, force, force:N" +
+           did_you_mean(text, {"velocity", "impulse", "force"});
+  int frames = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stopped, error] = std::from_chars(text.data() + 6, end, frames);
+  if (error == std::errc{} && stopped == end && frames >= 1 && frames <= Flight::kForceFrames) return {};
+  return "'" + text.substr(0, 40) + "': a force is held over a whole number of frames from 1 to " +
+         std::to_string(Flight::kForceFrames) + ", as in force:5";
+}
 
 /// The unit in which the user gave the height; empty for a bare number.
 std::string unit_of(const std::string& height) {
@@ -88,7 +107,8 @@ void jump_of_engines(JumpOptions o, const std::vector<Rational>& heights) {
                                          .substeps = o.substeps(),
                                          .parameters = o.values(),
                                          .binary32_frames = 0,
-                                         .by = o.by()}));
+                                         .by = o.by(),
+                                         .force_frames = o.force_frames()}));
   }
   if (jumps.empty()) throw Undefined("no engine of the catalogue can be launched so");
   if (o.json)
@@ -111,7 +131,7 @@ void jump(const JumpOptions& o) {
   if (listed) return jump_over_frames(o, heights);
   if (o.all_engines) return jump_of_engines(o, heights);
   const Rational g = o.gravity();
-  const Flight flight(o.program(), o.step(), o.substeps(), o.values(), o.by());
+  const Flight flight(o.program(), o.step(), o.substeps(), o.values(), o.by(), o.force_frames());
   if (!o.language.empty()) {
     write_output(jump_code(flight, g, language_of(o.language)), o.output);
     return;
@@ -137,7 +157,8 @@ void add_jump(CLI::App& app, int&) {
       {"jump --height 40cm --dt 0.02", "jump velocity-verlet --height 1.7 --dt 50Hz --json",
        "jump symplectic-euler --height 1.7m --substeps 4", "jump --height 1mm:100m:log:50 --csv",
        "jump godot --height 10m --param c=0.1", "jump rapier --height 1.7 --substeps 8",
-       "jump --all-engines --height 1.7", "jump --height 1.7 --dt-file frames.csv", "jump --lang csharp"});
+       "jump rapier --height 1.7 --launch force:5", "jump --all-engines --height 1.7",
+       "jump --height 1.7 --dt-file frames.csv", "jump --lang csharp"});
   auto o = std::make_shared<JumpOptions>();
   add_integrator(*command, *o);
   command->add_option("--height", o->height, "the height to jump to: 40cm, 1.7, or a sweep 1mm:100m:log:50")
@@ -159,10 +180,12 @@ void add_jump(CLI::App& app, int&) {
       ->add_option(
           "--launch", o->launch,
           "how the body is launched: its velocity is set; it is given an impulse, which some engines spread "
-          "over their substeps; or a force is held over the first frame, mass * launch/dt")
+          "over their substeps; or a force is held over the first frame, mass * launch/dt, or with force:N "
+          "over the "
+          "first N frames, mass * launch/(N dt)")
       ->capture_default_str()
       ->type_name("HOW")
-      ->check(CLI::IsMember({"velocity", "impulse", "force"}));
+      ->check(not_a_launch);
   command
       ->add_flag(
           "--all-engines", o->all_engines,

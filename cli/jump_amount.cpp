@@ -82,6 +82,10 @@ std::string Amounts::acceleration(const Rational& value) const {
   return exact_text(value) + " " + length_ + (ascii_ ? "/s^2" : "/s²");
 }
 
+std::string Amounts::acceleration(const Surd& value) const {
+  return number(value) + " " + length_ + (ascii_ ? "/s^2" : "/s²");
+}
+
 std::string Amounts::height_exactly(const Rational& metres) const {
   return exact_text(metres * unit_.per_metre, 15) + " " + unit_.name;
 }

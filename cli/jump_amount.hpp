@@ -20,6 +20,7 @@ class Amounts {
   std::string time(const Surd& seconds) const;
   std::string time_equals(const Surd& seconds) const;  ///< "= 0.28 s", "≈ 0.2855686246 s"
   std::string acceleration(const Rational& value) const;
+  std::string acceleration(const Surd& value) const;
   std::string height_exactly(
       const Rational& metres) const;  ///< never rounded: a fraction where no decimal ends
 

@@ -45,9 +45,10 @@ std::string engines_text(const std::vector<EngineJump>& jumps, const JumpWords& 
   std::string text = fmt::format(
       "A jump to {}{}, dt = {} s, g = {} downwards: cm short, rounded to {} digits after the point\n\n",
       amounts.height_exactly(first.target),
-      first.by == LaunchBy::impulse ? ", launched by an impulse"
-      : first.by == LaunchBy::force ? ", launched by a force that is held over frame 1"
-                                    : "",
+      first.by == LaunchBy::impulse ? std::string(", launched by an impulse")
+      : first.by == LaunchBy::force
+          ? ", launched by a force that is held over " + force_frames_text(first.force_frames)
+          : std::string(),
       exact_text(first.dt), amounts.acceleration(first.g), kPlaces);
   text += fmt::format("{:<33} {:>9} {:>12}  {:<18} {}\n", "engine, undamped", "cm short", "with g dt/2",
                       "right correction", "with its default damping");

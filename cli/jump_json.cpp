@@ -111,6 +111,13 @@ Json body(const Jump& jump) {
   json["launch_by"] = jump.by == LaunchBy::impulse ? "impulse"
                       : jump.by == LaunchBy::force ? "force"
                                                    : "velocity";
+  if (jump.by == LaunchBy::force)
+    json["force"] = {{"frames", jump.force_frames},
+                     {"acceleration", exact(jump.force_of(jump.launch_velocity))},
+                     {"exact_motion", jump.exact_force_launch ? exact(jump.force_of(*jump.exact_force_launch))
+                                                              : Json(nullptr)},
+                     {"on_frame", jump.on_frame ? number(jump, jump.force_of(Surd(jump.on_frame->launch)))
+                                                : Json(nullptr)}};
   const bool drag = !jump.drag.is_zero();
   json["drag"] = jump.drag.digits() > 40 ? rounded(jump.drag) : Json(jump.drag.str());
   json["launch_velocity"] = exact(jump.launch_velocity);

@@ -31,6 +31,9 @@ std::string engines_text(const std::vector<EngineJump>& jumps, const JumpWords& 
 std::string engines_csv(const std::vector<EngineJump>& jumps);
 nlohmann::ordered_json engines_json(const std::vector<EngineJump>& jumps);
 
+/// "frame 1", "frames 1 to 5": of a force that launches.
+std::string force_frames_text(int count);
+
 /// A binary32 number by the shortest decimal that reads back as itself, and in hexadecimal.
 std::string shortest(float value);
 std::string hexadecimal(float value);

@@ -26,6 +26,7 @@ class Page {
     peaks();
     correction();
     on_frame();
+    force();
     text_ += fmt::format(
         "\nShortfall = exact - computed: + is too low, - too high. {} marks a rounded number; the others are "
         "exact.\n",
@@ -50,7 +51,8 @@ class Page {
     for (const auto& [name, value] : jump_.parameters)
       text_ += fmt::format(", {} = {}", name, exact_text(value));
     if (jump_.by == LaunchBy::impulse) text_ += ", launched by an impulse";
-    if (jump_.by == LaunchBy::force) text_ += ", launched by a force that is held over frame 1";
+    if (jump_.by == LaunchBy::force)
+      text_ += ", launched by a force that is held over " + force_frames_text(jump_.force_frames);
     text_ += fmt::format(", dt = {} s, g = {} downwards\n\n", exact_text(jump_.dt),
                          amounts_.acceleration(jump_.g));
   }
@@ -82,7 +84,9 @@ class Page {
       method += fmt::format(", {} at t {}", formula(jump_.correction.formula * name("t")),
                             amounts_.time_equals(Surd(t)));
     if (jump_.shortfall.method.is_zero()) method = "the integrator is exact here";
-    if (jump_.by == LaunchBy::force) method += ", the force's own frame included";
+    if (jump_.by == LaunchBy::force)
+      method += jump_.force_frames == 1 ? ", the force's own frame included"
+                                        : ", and while the force acts: the exact motion is launched at once";
     if (!jump_.drag.is_zero())
       line(amounts_.signed_difference(jump_.shortfall.damping),
            fmt::format("damping: the exact motion, which loses {} per second of its speed to drag, is at its "
@@ -91,6 +95,13 @@ class Page {
     line(amounts_.signed_difference(jump_.shortfall.method), method);
     line(amounts_.signed_difference(jump_.shortfall.sampling),
          "sampling: the exact motion is at its top between frames");
+  }
+
+  /// After a sign such as >: "1.96 mm (rounded)", and not "> ≈ 1.96 mm".
+  static std::string bound(const std::string& amount) {
+    const std::size_t blank = amount.find(' ');
+    const bool rounded = amount.starts_with("~") || amount.starts_with("≈");
+    return rounded ? amount.substr(blank + 1) + " (rounded)" : amount;
   }
 
   /// A rate: a short fraction, or rounded.
@@ -132,7 +143,7 @@ class Page {
       text_ += "  Every jump leaves the ground, however low.\n";
     else
       text_ += fmt::format("  A jump leaves the ground if and only if H > {}.\n",
-                           amounts_.difference(Surd(*jump_.lift_off.height)));
+                           bound(amounts_.difference(Surd(*jump_.lift_off.height))));
   }
 
   void correction() {
@@ -193,6 +204,20 @@ class Page {
            fmt::format("'{}' acts in frame {}: this launch does not get there", met->text, met->frame));
   }
 
+  void force() {
+    if (jump_.by != LaunchBy::force) return;
+    const std::string time = fmt::format("{} s", exact_text(jump_.dt * jump_.force_frames));
+    text_ += fmt::format("\nThe force over the mass, besides gravity, held for {}\n", time);
+    line("sqrt(2 g H)/" + time, amounts_.acceleration(jump_.force_of(jump_.launch_velocity)));
+    if (jump_.exact_force_launch)
+      line("exact motion", amounts_.acceleration(jump_.force_of(*jump_.exact_force_launch)) +
+                               ", which takes it to H: g T/2 + sqrt((g T/2)^2 + 2 g H) over T");
+    if (jump_.on_frame)
+      line("on a frame", fmt::format("{}, which takes frame {} to H",
+                                     amounts_.acceleration(jump_.force_of(Surd(jump_.on_frame->launch))),
+                                     jump_.on_frame->top.n.str()));
+  }
+
   const Jump& jump_;
   Amounts amounts_;
   Style style_;
@@ -200,6 +225,10 @@ class Page {
 };
 
 }  // namespace
+
+std::string force_frames_text(int count) {
+  return count == 1 ? "frame 1" : "frames 1 to " + std::to_string(count);
+}
 
 std::string shortest(float value) {
   char text[64];

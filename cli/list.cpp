@@ -10,6 +10,7 @@
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/suggest.hpp"
+#include "analysis/program/version.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 
@@ -46,6 +47,12 @@ std::vector<Program> chosen(const std::string& wanted) {
   throw BadInput("unknown family '" + wanted + "'" + hint);
 }
 
+std::vector<std::string> version_texts(const Program& program) {
+  std::vector<std::string> texts;
+  for (const SoftwareVersion& v : versions(program)) texts.push_back(v.text);
+  return texts;
+}
+
 std::string as_text(const std::vector<Program>& programs) {
   std::string text;
   std::string group;
@@ -54,7 +61,10 @@ std::string as_text(const std::vector<Program>& programs) {
       group = family(p);
       text += (text.empty() ? "" : "\n") + group + "\n";
     }
-    text += fmt::format("  {:<30} {}\n", p.name, first_sentence(p.description));
+    std::string read_in;
+    for (const SoftwareVersion& v : versions(p)) read_in += (read_in.empty() ? " [" : ", ") + v.text;
+    text += fmt::format("  {:<30} {}{}\n", p.name, first_sentence(p.description),
+                        read_in.empty() ? "" : read_in + "]");
   }
   return text + "\nshortfall show NAME prints one; shortfall new integrator FILE begins one of your own.\n";
 }
@@ -69,6 +79,7 @@ std::string as_json(const std::vector<Program>& programs) {
                                    {"family", family(p)},
                                    {"description", p.description},
                                    {"aliases", p.aliases},
+                                   {"versions", version_texts(p)},
                                    {"parameters", parameters}});
   }
   return json.dump(2) + "\n";

@@ -49,7 +49,9 @@ Rational Question::gravity() const { return positive_quantity(g, Unit::none, "--
 void add_integrator(CLI::App& command, Question& q) {
   command
       .add_option("INTEGRATOR", q.integrator,
-                  "a name or an alias (see: shortfall list), or the path of an .integrator file")
+                  "a name or an alias (see: shortfall list), an engine with its version (rapier@0.21), or "
+                  "the path of "
+                  "an .integrator file")
       ->capture_default_str();
 }
 
@@ -90,6 +92,11 @@ void add_json(CLI::App& command, Question& q) { command.add_flag("--json", q.jso
 
 void add_ascii(CLI::App& command, Question& q) {
   command.add_flag("--ascii", q.ascii, "plain ASCII formulas, in the .integrator language");
+}
+
+void add_full(CLI::App& command, Question& q) {
+  command.add_flag("--full", q.full,
+                   "under springs, dampers and drag: long formulas written out, instead of named");
 }
 
 void add_output(CLI::App& command, Question& q) {

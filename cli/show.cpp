@@ -4,6 +4,7 @@
 
 #include "analysis/motion/agreement.hpp"
 #include "analysis/program/print.hpp"
+#include "analysis/program/version.hpp"
 #include "analysis/stability/stability_claims.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
@@ -28,6 +29,8 @@ int show(const Question& q) {
     nlohmann::ordered_json json{{"schema", "shortfall.show/1"},       {"integrator", program.name},
                                 {"description", program.description}, {"aliases", program.aliases},
                                 {"sources", program.sources},         {"text", print(program)}};
+    json["versions"] = nlohmann::json::array();
+    for (const SoftwareVersion& v : versions(program)) json["versions"].push_back(v.text);
     json["claims"] = nlohmann::json::array();
     for (const ClaimVerdict& v : verdicts)
       json["claims"].push_back({{"claim", v.claim},
@@ -54,7 +57,7 @@ int show(const Question& q) {
 void add_show(CLI::App& app, int& code) {
   CLI::App* command =
       new_command(app, "Set-up", "show", "One integrator: its file, and whether its claims hold.",
-                  {"show symplectic-euler", "show my-own.integrator"});
+                  {"show symplectic-euler", "show rapier@0.21", "show my-own.integrator"});
   auto q = std::make_shared<Question>();
   add_integrator(*command, *q);
   command->get_option("INTEGRATOR")->required();

@@ -43,7 +43,15 @@ SpringQuestion question(const SpringOptions& o) {
     if (ratio.sign() < 0) throw BadInput("--damping-ratio " + o.ratio.substr(0, 40) + ": 0 or more");
     set_spring(q, Rational(1) / period, ratio);
   } else {
-    q.k = positive_quantity(o.k, Unit::none, "--k");
+    q.k = quantity(o.k, Unit::none, "--k");
+    if (q.k.sign() <= 0)
+      throw BadInput(
+          "--k '" + o.k.substr(0, 60) + "': " +
+          (q.k.is_zero()
+               ? "without stiffness there is no spring; what damping alone does tells: shortfall damping"
+               : "a stiffness below 0 is no spring but unstable physics, which runs away; its motion tells: "
+                 "shortfall derive --force spring:k=" +
+                     q.k.str()));
     if (!o.c.empty()) q.c = quantity(o.c, Unit::none, "--c");
   }
   return q;

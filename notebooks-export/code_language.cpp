@@ -82,8 +82,8 @@ std::optional<std::string> short_decimal(const Rational& value) {
 
 class Writer : public CodeWriter {
  public:
-  Writer(Language language, const std::map<std::string, std::string>& names)
-      : language_(language), names_(names) {}
+  Writer(Language language, const std::map<std::string, std::string>& names, bool wide = false)
+      : language_(language), names_(names), wide_(wide) {}
 
  private:
   std::string title() const override { return shortfall::title(language_); }
@@ -96,7 +96,10 @@ class Writer : public CodeWriter {
   std::string function(const std::string& name) const override {
     if (name == kCalledForce) return identifier(name, language_);
     const bool known = name == "sqrt" || name == "exp" || name == "pow" || name == "max" || name == "min";
-    if (!known) return {};
+    const bool wide =
+        name == "sin" || name == "cos" || name == "sinh" || name == "cosh" || name == "acos" || name == "log";
+    if (!known && !(wide && wide_)) return {};
+    if (wide_) return in_binary64(name);
     switch (language_) {
       case Language::csharp:
         return name == "max" || name == "min" ? "Math." + capitalised(name)
@@ -115,11 +118,30 @@ class Writer : public CodeWriter {
     return {};
   }
 
+  std::string in_binary64(const std::string& name) const {
+    switch (language_) {
+      case Language::csharp:
+        return "System.Math." + capitalised(name);
+      case Language::python:
+        return name == "max" || name == "min" ? name : "math." + name;
+      case Language::rust:
+        return "f64::" + (name == "pow" ? "powf" : name == "log" ? "ln" : name);
+      case Language::cpp:
+        return "std::" + name;
+      case Language::javascript:
+        return "Math." + name;
+      case Language::gdscript:
+        return name == "max" || name == "min" ? name + "f" : name;
+    }
+    return {};
+  }
+
   std::string whole(const std::string& digits) const {
     switch (language_) {
       case Language::csharp:
       case Language::cpp:
-        return digits + (digits.find('.') == std::string::npos ? ".0f" : "f");
+        if (!wide_) return digits + (digits.find('.') == std::string::npos ? ".0f" : "f");
+        return digits + (digits.find('.') == std::string::npos ? ".0" : "");
       case Language::gdscript:
       case Language::rust:
         return digits + (digits.find('.') == std::string::npos ? ".0" : "");
@@ -133,10 +155,9 @@ class Writer : public CodeWriter {
   Piece of_number(const Rational& value) const override {
     if (const auto decimal = short_decimal(value)) return {whole(*decimal), kAtom};
     if (value.is_integer()) return {whole(value.str()), kAtom};
-    // A quotient rounds once only while both of its numbers are exact in binary32.
-    constexpr int kExact = 1 << 24;
-    if (value.numerator() > kExact || value.denominator() > kExact)
-      return {whole(long_decimal(value)), kAtom};
+    // A quotient rounds once only while both of its numbers are exact in binary32, or in binary64.
+    const Rational exact = Rational(2).pow(wide_ ? 53 : 24);
+    if (value.numerator() > exact || value.denominator() > exact) return {whole(long_decimal(value)), kAtom};
     return {whole(value.numerator().str()) + " / " + whole(value.denominator().str()), kProduct};
   }
 
@@ -151,6 +172,7 @@ class Writer : public CodeWriter {
 
   Language language_;
   const std::map<std::string, std::string>& names_;
+  bool wide_;  ///< binary64 in every language
 };
 
 }  // namespace
@@ -203,6 +225,11 @@ std::string literal(const Rational& value, Language language) { return code(numb
 
 std::string code(const Expr& e, Language language, const std::map<std::string, std::string>& names) {
   return Writer(language, names).text(e);
+}
+
+std::string code_in_binary64(const Expr& e, Language language,
+                             const std::map<std::string, std::string>& names) {
+  return Writer(language, names, true).text(e);
 }
 
 }  // namespace shortfall

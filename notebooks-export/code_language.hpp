@@ -44,5 +44,8 @@ std::string literal(const Rational& value, Language language);
 /// param   names  what names of ours become; others become identifiers
 /// throws  Unable  for a force, a sum, or a power that is no whole number from -32 to 32
 std::string code(const Expr& e, Language language, const std::map<std::string, std::string>& names = {});
+/// The same in binary64 in every language, where sin, cos, sinh, cosh, acos and log may occur, too.
+std::string code_in_binary64(const Expr& e, Language language,
+                             const std::map<std::string, std::string>& names = {});
 
 }  // namespace shortfall

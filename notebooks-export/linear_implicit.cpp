@@ -50,7 +50,8 @@ std::string range_text(const BranchRange& r, const ImplicitParameters& p) {
 
 }  // namespace
 
-std::string implicit_text(const LinearKit& kit, Style style) {
+std::string implicit_text(const LinearKit& kit, NamedFormulas& formulas) {
+  const Style style = formulas.style();
   const ImplicitParameters& p = *kit.implicit;
   std::string text = "  " + list_of_unknowns(kit, style);
   const bool one = p.unknowns.size() == 1;
@@ -59,7 +60,7 @@ std::string implicit_text(const LinearKit& kit, Style style) {
   } else if (p.stability_function) {
     const std::string u = one && p.unknowns[0] == kDamping ? "-c h" : "lambda h";
     text += std::string(one ? " is" : " are") + " found from R(u) = exp(" + u +
-            "), R(u) = " + print(*p.stability_function, style) + ", the root u near " + u + ":\n";
+            "), R(u) = " + formulas.print(*p.stability_function) + ", the root u near " + u + ":\n";
     if (one && p.unknowns[0] == kDamping)
       text += "    c_new = -u/h\n";
     else
@@ -75,20 +76,20 @@ std::string implicit_text(const LinearKit& kit, Style style) {
     if (!p.radicals.empty()) break;
     if (p.stability_function && equation.terms().size() > kLongEquation) continue;
     text += std::string(p.stability_function ? "    so that " : "    ") +
-            print(formula(Fraction(equation), kit.wording()), style) + " = 0\n";
+            formulas.print(formula(Fraction(equation), kit.wording())) + " = 0\n";
   }
   text += "    it exists and is unique for small h: the derivative of the equation";
   if (!one)
     text = text.substr(0, text.rfind("it exists")) +
            "they exist and are unique for small h: the determinant of the derivatives of both equations";
   text += " by " + list_of_unknowns(kit, style, true) + " is " +
-          print(formula(p.jacobian, kit.wording()), style) +
+          formulas.print(formula(p.jacobian, kit.wording())) +
           " in the\n    limit, not 0 (implicit function theorem)\n";
   for (std::size_t i = 0; i < p.leading.size(); ++i)
     text += "    " + print(name(unknown_name(kit, i)), style) + " = " +
             (p.leading[i].is_zero()
                  ? print(truth(kit, i), style) + " up to h^8\n"
-                 : print(joined(truth(kit, i), difference(kit, i)), style) + " + higher powers of h\n");
+                 : formulas.print(joined(truth(kit, i), difference(kit, i))) + " + higher powers of h\n");
   if (p.range) text += range_text(*p.range, p);
   return text;
 }

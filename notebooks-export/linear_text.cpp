@@ -5,6 +5,7 @@
 
 #include "analysis/correction/kit_letters.hpp"
 #include "notebooks-export/linear_implicit.hpp"
+#include "notebooks-export/named_formulas.hpp"
 #include "notebooks-export/result_text.hpp"
 
 namespace shortfall {
@@ -60,9 +61,14 @@ std::string wrapped(const std::string& text, const std::string& indent) {
   return result + row + "\n";
 }
 
-void append_definitions(std::string& text, const std::vector<Definition>& definitions, Style style) {
+void append_definitions(std::string& text, const std::vector<Definition>& definitions, NamedFormulas& f) {
   for (const Definition& d : definitions)
-    text += "    " + print(name(d.name), style) + " = " + print(d.value, style) + "   (" + d.note + ")\n";
+    text += "    " + print(name(d.name), f.style()) + " = " + f.print(d.value) + "   (" + d.note + ")\n";
+}
+
+/// "x_n = ...", the signs of equality below each other.
+std::string line(const std::string& what, const Expr& e, NamedFormulas& f) {
+  return what + " = " + f.print(e);
 }
 
 Expr conserved_form(const QuadraticForm& q, const Wording& w) {
@@ -73,34 +79,33 @@ Expr conserved_form(const QuadraticForm& q, const Wording& w) {
 }
 
 /// What the step does to the energy, or to the quadratic form that takes its place.
-std::string energy(const LinearDerivation& d, const LinearKit& kit, Style style) {
+std::string energy(const LinearDerivation& d, const LinearKit& kit, NamedFormulas& f) {
   if (!d.force.spring) return "";
   if (!kit.conserved)
     return "\nEnergy\n  No quadratic form of x and v takes its place: a further carried vector matters.\n";
   const Wording w = d.wording();
   const QuadraticForm& q = *kit.conserved;
-  std::string text = "\nEnergy\n  " + print(conserved_form(q, w), style);
+  std::string text = "\nEnergy\n  " + f.print(conserved_form(q, w));
   if (q.xv.is_zero() && q.xx == d.force.stiffness()) text += ", twice the energy,";
   text += q.factor == Fraction(1)
               ? " is conserved exactly by every step"
-              : " is multiplied by D = " + print(formula(q.factor, w), style) + " in every step";
+              : " is multiplied by D = " + f.print(formula(q.factor, w)) + " in every step";
   if (d.amplified_from > 0) text += " from n = " + std::to_string(d.amplified_from) + " on";
-  return text + " (about the rest point; M^T Q M = D Q, proved).\n";
+  return text + " (about the rest point; M^T Q M = D Q, proved).\n" + f.introduced();
 }
 
-void append_recurrence(std::string& text, const LinearDerivation& d, Style style) {
+void append_recurrence(std::string& text, const LinearDerivation& d, NamedFormulas& f) {
   const auto& p = d.form.oscillation.polynomial;
   const Wording w = d.wording();
   text += "  The free part r of the motion satisfies\n    r(n+" + std::to_string(d.form.oscillation.order()) +
           ")";
   for (int j = d.form.oscillation.order() - 1; j >= 0; --j)
-    text += " + (" + print(formula(p[j], w), style) + ") r(n" + (j ? "+" + std::to_string(j) : "") + ")";
-  text += " = 0\n";
+    text += " + (" + f.print(formula(p[j], w)) + ") r(n" + (j ? "+" + std::to_string(j) : "") + ")";
+  text += " = 0\n" + f.introduced();
 }
 
-}  // namespace
-
-std::string as_text(const LinearKit& kit, Style style) {
+std::string kit_text(const LinearKit& kit, NamedFormulas& f) {
+  const Style style = f.style();
   if (!kit.exists)
     return std::string(kit.impossible ? "  none can be exact on every frame: "
                                       : "  none found that is exact on every frame: ") +
@@ -109,10 +114,10 @@ std::string as_text(const LinearKit& kit, Style style) {
   for (const std::string& note : kit.notes) text += "  " + wrapped(note, "    ");
   text += "  exact on every frame; give or report instead:\n";
   for (const LinearCorrection& c : kit.corrections)
-    text += "    " + kind(c.kind) + ": " + c.target + " := " + print(c.value, style) + "\n        " +
-            c.reason + "\n";
+    text +=
+        "    " + kind(c.kind) + ": " + c.target + " := " + f.print(c.value) + "\n        " + c.reason + "\n";
   text += "  with\n";
-  append_definitions(text, kit.definitions, style);
+  append_definitions(text, kit.definitions, f);
   for (const FlowCase& other : kit.other_flows) {
     text += "    for " + other.condition + ":\n";
     for (const auto& [letter, value] : {std::pair{kFlowCosine, other.cosine}, {kFlowSine, other.sine}})
@@ -127,13 +132,38 @@ std::string as_text(const LinearKit& kit, Style style) {
           "    f', f'': derivatives of the force by time; in a launch at t = 0, in a read-out at t = n h\n";
       break;
     }
-  if (kit.implicit) text += implicit_text(kit, style);
+  if (kit.implicit) text += implicit_text(kit, f);
   if (!kit.step_definitions.empty()) text += "  and, of the step that is given these\n";
-  append_definitions(text, kit.step_definitions, style);
-  return text + "  " + wrapped("proof: " + kit.proof, "    ");
+  append_definitions(text, kit.step_definitions, f);
+  return text + f.introduced() + "  " + wrapped("proof: " + kit.proof, "    ");
 }
 
-std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style) {
+/// All names of letters and definitions.
+std::vector<std::string> names_in(const LinearKit& kit, const LinearDerivation* d) {
+  std::vector<std::string> names = kit.letters;
+  for (const auto* list : {&kit.definitions, &kit.step_definitions})
+    for (const Definition& definition : *list) names.push_back(definition.name);
+  if (d) names.insert(names.end(), d->map.letters.begin(), d->map.letters.end());
+  return names;
+}
+
+/// "T^2 < 4 D, with T = ..., D = ...: two complex roots", without the formulas where these are long.
+std::string condition(const LinearDerivation& d, bool full) {
+  const std::size_t with = d.condition.find(", with T = "), colon = d.condition.rfind(": ");
+  if (full || d.condition.size() <= kLongestPiece || with == std::string::npos || colon == std::string::npos)
+    return d.condition;
+  return d.condition.substr(0, with) + d.condition.substr(colon) + " (T and D are told below)";
+}
+
+}  // namespace
+
+std::string as_text(const LinearKit& kit, Style style, bool full) {
+  NamedFormulas f(style, full, names_in(kit, nullptr));
+  return kit_text(kit, f);
+}
+
+std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style, bool full) {
+  NamedFormulas f(style, full, names_in(kit, &d));
   const Wording w = d.wording();
   std::string text = d.integrator + ", " + equation_of_motion(d, style) + "\n";
   if (d.force.own_c || d.force.own_k)
@@ -144,26 +174,26 @@ std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style
             std::to_string(d.substeps) + ".\n";
   text += "n steps, t = n h. " + exactness(d.digits) + "\n\n";
   if (d.position) {
-    text += "  " + line("position x_n ", d.position, style) + "\n  " +
-            line("velocity v_n ", d.velocity, style) + "\n";
-    append_definitions(text, d.definitions, style);
-    if (!d.condition.empty()) text += "    for " + d.condition + "\n";
+    text +=
+        "  " + line("position x_n ", d.position, f) + "\n  " + line("velocity v_n ", d.velocity, f) + "\n";
+    append_definitions(text, d.definitions, f);
+    text += f.introduced();
+    if (!d.condition.empty()) text += "    for " + condition(d, full) + "\n";
     for (const RootCase& c : d.cases)
-      text += "  " + c.condition + ":\n    " + line("x_n", c.position, style) + "\n    " +
-              line("v_n", c.velocity, style) + "\n";
+      text += "  " + c.condition + ":\n    " + line("x_n", c.position, f) + "\n    " +
+              line("v_n", c.velocity, f) + "\n" + f.introduced();
   } else {
-    append_recurrence(text, d, style);
+    append_recurrence(text, d, f);
     text +=
         "  from its first values (--json has them); an order above two has no shorter formula than its "
         "roots.\n";
   }
   text += "\n  true motion, for " + d.exact.condition + "\n";
-  text +=
-      "  " + line("x(t) ", d.exact.position, style) + "\n  " + line("v(t) ", d.exact.velocity, style) + "\n";
-  append_definitions(text, d.exact.definitions, style);
+  text += "  " + line("x(t) ", d.exact.position, f) + "\n  " + line("v(t) ", d.exact.velocity, f) + "\n";
+  append_definitions(text, d.exact.definitions, f);
   for (const FlowCase& other : d.exact.others) {
-    text += "  for " + other.condition + ":\n    " + line("x(t)", other.position, style) + "\n";
-    append_definitions(text, other.definitions, style);
+    text += "  for " + other.condition + ":\n    " + line("x(t)", other.position, f) + "\n";
+    append_definitions(text, other.definitions, f);
   }
   text += "  The shortfall is x(t) - x_n and v(t) - v_n: positive means too low.\n";
   if (!d.amplification.empty()) {
@@ -172,17 +202,17 @@ std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style
         (d.amplified_from > 0 ? ", from n = " + std::to_string(d.amplified_from) + " on" : std::string()) +
         ", with\n";
     for (const auto& row : d.amplification)
-      text += "    [ " + print(formula(row[0], w), style) + ",  " + print(formula(row[1], w), style) + " ]\n";
-    text += "  trace T = " + print(formula(*d.trace, w), style) +
-            ", determinant D = " + print(formula(*d.determinant, w), style) + "\n";
+      text += "    [ " + f.print(formula(row[0], w)) + ",  " + f.print(formula(row[1], w)) + " ]\n";
+    text += "  trace T = " + f.print(formula(*d.trace, w)) +
+            ", determinant D = " + f.print(formula(*d.determinant, w)) + "\n" + f.introduced();
     text +=
         "  M^2 = T M - D (Cayley and Hamilton), so every free motion satisfies x(n+2) = T x(n+1) - D x(n); "
         "its solutions are the powers of the\n"
         "  roots of z^2 = T z - D. A push adds a motion of its own, found by comparing powers of n. The two "
         "first values fix the rest.\n";
   }
-  text += energy(d, kit, style);
-  text += "\nCorrections\n" + as_text(kit, style);
+  text += energy(d, kit, f);
+  text += "\nCorrections\n" + kit_text(kit, f);
   text += "\nProof\n  ";
   text +=
       d.proof.proved
@@ -195,11 +225,12 @@ std::string as_text(const LinearDerivation& d, const LinearKit& kit, Style style
   return text + ".\n";
 }
 
-std::string as_latex(const LinearDerivation& d, const LinearKit& kit) {
+std::string as_latex(const LinearDerivation& d, const LinearKit& kit, bool full) {
+  NamedFormulas f(Style::latex, full, names_in(kit, &d));
   std::string text = "% " + d.integrator + ", " + equation_of_motion(d, Style::language) +
                      "; needs amsmath\n\\begin{align*}\n";
   const auto add = [&](const std::string& left, const Expr& right) {
-    text += "  " + left + " &= " + print(right, Style::latex) + " \\\\\n";
+    text += "  " + left + " &= " + f.print(right) + " \\\\\n";
   };
   if (d.position) {
     add("x_n", d.position);
@@ -216,6 +247,7 @@ std::string as_latex(const LinearDerivation& d, const LinearKit& kit) {
   for (const auto* list : {&kit.definitions, &kit.step_definitions})
     for (const Definition& definition : *list)
       add(print(name(definition.name), Style::latex), definition.value);
+  for (const auto& [name, value] : f.introduced_pairs()) text += "  " + name + " &= " + value + " \\\\\n";
   return text + "\\end{align*}\n";
 }
 

@@ -54,6 +54,10 @@ std::string as_text(const NumericMotion& m, const NumericQuestion& q, const std:
                     Style style) {
   std::string text = integrator + ", x'' = " + print(m.acceleration, style) +
                      ", from x0 = " + q.x0.str() + " m, v0 = " + q.v0.str() + " m/s\n";
+  if (q.force.k && q.force.k->sign() < 0)
+    text += "k < 0: unstable physics, the true motion itself runs away.\n";
+  if (q.force.c && q.force.c->sign() < 0)
+    text += "c < 0: a damper that drives, the true motion itself runs away.\n";
   text += whole(q.steps) + " steps of dt = " + q.h.str() + " s";
   if (q.substeps > 1) text += ", each in " + std::to_string(q.substeps) + " substeps";
   text += ": t = " + whole(m.time) + " s\n\nComputed, in exact arithmetic\n";

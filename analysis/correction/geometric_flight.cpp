@@ -92,8 +92,8 @@ std::optional<std::array<Rational, 3>> parabola_through(const Values& v, int fro
 
 }  // namespace
 
-std::optional<ParabolicFlight> parabolic_flight(const FrameOf& frame, int order) {
-  for (int from = 0; from <= order; ++from) {
+std::optional<ParabolicFlight> parabolic_flight(const FrameOf& frame, int order, int first) {
+  for (int from = first; from <= first + order; ++from) {
     const auto [rises, falls] = compared(frame, from, order);
     const auto rise = parabola_through(rises, from);
     const auto fall = parabola_through(falls, from);
@@ -102,8 +102,8 @@ std::optional<ParabolicFlight> parabolic_flight(const FrameOf& frame, int order)
   return std::nullopt;
 }
 
-std::optional<GeometricFlight> geometric_flight(const FrameOf& frame, int order) {
-  for (int from = 0; from <= order; ++from) {
+std::optional<GeometricFlight> geometric_flight(const FrameOf& frame, int order, int first) {
+  for (int from = first; from <= first + order; ++from) {
     const auto [rise, fall] = compared(frame, from, order);
     std::optional<Rational> ratio = ratio_of(fall);
     if (!ratio || ratio->is_one()) ratio = ratio_of(rise);

@@ -54,7 +54,9 @@ struct ParabolicFlight {
 ///
 /// The frames satisfy a linear recurrence of `order` from frame 1 on (Cayley and Hamilton), and what they
 /// are compared with one of order 3; both agree on more frames than the two orders together, hence on all.
-std::optional<ParabolicFlight> parabolic_flight(const FrameOf& frame, int order);
-std::optional<GeometricFlight> geometric_flight(const FrameOf& frame, int order);
+///
+/// param   first  the frame that the step alone follows from: what a launch takes is over
+std::optional<ParabolicFlight> parabolic_flight(const FrameOf& frame, int order, int first = 0);
+std::optional<GeometricFlight> geometric_flight(const FrameOf& frame, int order, int first = 0);
 
 }  // namespace shortfall

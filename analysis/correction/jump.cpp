@@ -83,6 +83,7 @@ Jump jump(const Flight& flight, const Rational& height, const Rational& g, std::
   jump.g = g;
   jump.parameters = flight.parameters();
   jump.by = flight.launch_by();
+  jump.force_frames = flight.force_frames();
   const IntendedMotion motion(flight.program(), flight.parameters());
   jump.drag = motion.drag();
   jump.rounded = flight.rounded();
@@ -103,9 +104,16 @@ Jump jump(const Flight& flight, const Rational& height, const Rational& g, std::
   }
   if (flight.parabolic()) {
     const auto heights = flight.heights(jump.launch_velocity, g);
-    jump.ideal_time_height = at(heights, jump.ideal_time / Surd(jump.dt));
-    if (heights[2].sign() < 0)
+    // While a force acts the motion is another one.
+    const Surd free(jump.by == LaunchBy::force && jump.force_frames > 1 ? jump.force_frames : 0);
+    if (const Surd ideal = jump.ideal_time / Surd(jump.dt); ideal >= free)
+      jump.ideal_time_height = at(heights, ideal);
+    if (heights[2].sign() < 0 && -heights[1] / (Surd(2) * heights[2]) >= free)
       jump.parabola_top = heights[0] - heights[1] * heights[1] / (Surd(4) * heights[2]);
+  }
+  if (jump.by == LaunchBy::force && !motion.damped()) {
+    const Rational half = g * jump.dt * jump.force_frames / 2;
+    jump.exact_force_launch = Surd(half) + Surd::sqrt(half * half + 2 * g * height);
   }
 
   jump.lift_off = lift_off(flight, g);
@@ -130,7 +138,8 @@ Jump jump(const Flight& flight, const Rational& height, const Rational& g, std::
 }
 
 Jump jump(const Program& program, const JumpQuestion& question) {
-  const Flight flight(program, question.dt, question.substeps, question.parameters, question.by);
+  const Flight flight(program, question.dt, question.substeps, question.parameters, question.by,
+                      question.force_frames);
   return jump(flight, question.height, question.g, question.binary32_frames);
 }
 

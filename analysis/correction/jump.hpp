@@ -23,6 +23,7 @@ struct JumpQuestion {
   Values parameters = {};
   std::int64_t binary32_frames = kBinary32Frames;  ///< how many the search in binary32 may step; 0: no search
   LaunchBy by = LaunchBy::velocity;
+  int force_frames = 1;  ///< of a launch by a force: how many frames it is held over
 };
 
 /// Exact minus computed, metres: positive where the body stays too low. total = damping + method + sampling.
@@ -51,6 +52,7 @@ struct Jump {
   Rational g;
   Values parameters;  ///< of the integrator, all of them
   LaunchBy by = LaunchBy::velocity;
+  int force_frames = 1;              ///< of a launch by a force
   Rational drag;                     ///< of the motion that is meant, per second; 0 for none
   std::vector<std::string> rounded;  ///< what was rounded to 100 digits; then nothing here is exact
 
@@ -60,6 +62,9 @@ struct Jump {
   Surd exact_top;                         ///< which is there: H, or less with drag
   std::optional<Surd> ideal_time_height;  ///< the computed motion then, between frames by its own formula
   std::optional<Surd> parabola_top;       ///< of the parabola through the frames
+  /// Of a launch by a force, without drag: the launch that takes the exact motion to H, which rises under the
+  /// force for T = force_frames dt: g T/2 + sqrt((g T/2)^2 + 2 g H).
+  std::optional<Surd> exact_force_launch;
   /// The launch whose parabola has its top at H, where no correction serves every launch.
   std::optional<Surd> launch_for_top;
   Frame best_frame;  ///< the highest; {0, 0} when the body stays on the ground
@@ -85,6 +90,9 @@ struct Jump {
   std::optional<LimitMet> on_frame_limit;  ///< of the flight on a frame
   std::optional<Binary32Launch> binary32;
   std::string no_binary32;  ///< why there is none
+
+  /// Of the force over the mass that stands for a launch; metres per second squared.
+  Surd force_of(const Surd& launch) const { return launch / Surd(dt * force_frames); }
 };
 
 /// throws  BadInput  when height, dt or g is not positive, for a value of an unknown parameter, a wrong

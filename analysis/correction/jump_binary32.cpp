@@ -68,6 +68,7 @@ class Flights {
         run_(tape_, problem_, dt),
         dt_(dt),
         by_(flight.launch_by()),
+        force_frames_(flight.force_frames()),
         frame_(frame) {}
 
   /// The highest frame. Past the exact one it ends when the body falls, at the latest after twice the time.
@@ -75,11 +76,11 @@ class Flights {
     problem_.push = 0;
     run_.begin(0, by_ == LaunchBy::velocity ? launch : 0, 0);
     if (by_ == LaunchBy::impulse) run_.give_impulse(launch);
-    if (by_ == LaunchBy::force) problem_.push = launch / dt_;
+    if (by_ == LaunchBy::force) problem_.push = launch / (static_cast<float>(force_frames_) * dt_);
     Top best;
     for (std::int64_t n = 1; n <= 2 * frame_ + 4; ++n) {
       run_.step();
-      problem_.push = 0;
+      if (n >= force_frames_) problem_.push = 0;
       ++frames_;
       const float here = tape_.finish.empty() ? run_.state(0) : run_.read_out().first;
       if (here > best.height)
@@ -98,6 +99,7 @@ class Flights {
   Run<Gravity> run_;
   float dt_;
   LaunchBy by_;
+  int force_frames_;
   std::int64_t frame_;
   std::int64_t frames_ = 0;
 };

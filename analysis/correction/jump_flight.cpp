@@ -59,19 +59,22 @@ T at(const std::array<T, 3>& p, const T& n) {
 
 /// The two flights of which every other one is made, stepped in exact arithmetic as far as somebody asked.
 struct Flight::Steps {
-  Steps(const Program& program, const Values& parameters, const Rational& dt, LaunchBy by)
-      : tape(lower(program, parameters)), free(tape, weightless, dt), dropped(tape, heavy, dt) {
+  Steps(const Program& program, const Values& parameters, const Rational& dt, LaunchBy by, int force_frames)
+      : tape(lower(program, parameters)),
+        pushed(by == LaunchBy::force ? static_cast<std::size_t>(force_frames) : 0),
+        free(tape, weightless, dt),
+        dropped(tape, heavy, dt) {
     free.begin(0, by == LaunchBy::velocity ? 1 : 0, 0);
     if (by == LaunchBy::impulse) free.give_impulse(1);
     dropped.begin(0, 0, 0);
     record();
-    if (by == LaunchBy::force) push = Rational(1) / dt;
+    if (pushed > 0) push = Rational(1) / (dt * force_frames);
   }
 
   const std::pair<Rational, Rational>& frame(std::size_t n) {
     while (frames.size() <= n) {
       free.step();
-      push = 0;
+      if (frames.size() >= pushed) push = 0;
       dropped.step();
       record();
     }
@@ -91,7 +94,8 @@ struct Flight::Steps {
   }
 
   Tape tape;
-  Rational push;  ///< the force that launches, in the frame that comes next
+  std::size_t pushed;  ///< how many frames the force that launches is held over
+  Rational push;       ///< that force, in the frame that comes next
   UndisturbedNumbers weightless = {
       {.force = [this](const Rational&, const Rational&, const Rational&) { return push; }}};
   UndisturbedNumbers heavy = constant_force(1);
@@ -101,16 +105,21 @@ struct Flight::Steps {
   std::vector<std::pair<double, double>> rounded;     ///< the same
 };
 
-Flight::Flight(const Program& program, const Rational& dt, int substeps, const Values& given, LaunchBy by)
+Flight::Flight(const Program& program, const Rational& dt, int substeps, const Values& given, LaunchBy by,
+               int force_frames)
     : program_(substepped(program, substeps)),
       dt_(dt),
       substeps_(substeps),
       parameters_(parameter_values(program, given)),
-      by_(by) {
+      by_(by),
+      force_frames_(force_frames) {
   if (dt.sign() <= 0) throw BadInput("a time step is longer than 0 s, not " + dt.str() + " s");
   if (by == LaunchBy::impulse && !program.impulse)
     throw BadInput(program.name + " knows no impulse: its launch is a velocity that is set");
-  steps_ = std::make_unique<Steps>(program_, parameters_, dt_, by);
+  if (force_frames < 1 || force_frames > kForceFrames)
+    throw BadInput("a force that launches is held over 1 to " + std::to_string(kForceFrames) +
+                   " frames, not " + std::to_string(force_frames));
+  steps_ = std::make_unique<Steps>(program_, parameters_, dt_, by, force_frames);
   const bool fitted = fit();
   // In letters, too, for the formula of the correction; each way has flights that only it can solve.
   if ((by == LaunchBy::velocity ? parabolic_ || !fitted : parabolic_) && !adopt(lower(program_, given)))
@@ -153,13 +162,15 @@ bool Flight::fit() {
   // The carried vectors and the constant 1: an affine step satisfies a recurrence of this order.
   const int order = static_cast<int>(program_.states.size()) + 3;
   const auto frame = [this](std::size_t n) { return steps_->frame(n); };
-  if (const auto parabolas = parabolic_flight(frame, order)) {
+  // A force that acts for several frames has to be over: the motion is another one before.
+  const int first = by_ == LaunchBy::force && force_frames_ > 1 ? force_frames_ : 0;
+  if (const auto parabolas = parabolic_flight(frame, order, first)) {
     settled_ = parabolas->from;
     rise_ = parabolas->rise;
     fall_ = parabolas->fall;
     return parabolic_ = true;
   }
-  geometric_ = geometric_flight(frame, order);
+  geometric_ = geometric_flight(frame, order, first);
   return geometric_.has_value();
 }
 

@@ -21,8 +21,8 @@ struct Frame {
 };
 
 /// How a body gets its launch velocity u: it is set; it is given as an impulse (over the mass), which some
-/// engines treat differently; or as a force that is held over frame 1, the acceleration u/dt wherever the
-/// step of that frame evaluates the force, and nowhere else.
+/// engines treat differently; or as a force that is held over frames 1 to N (N = 1 unless said otherwise),
+/// the acceleration u/(N dt) wherever the steps of these frames evaluate the force, and nowhere else.
 enum class LaunchBy { velocity, impulse, force };
 
 /// Where a body thrown straight up from the ground is at the end of every frame, exactly:
@@ -37,13 +37,14 @@ class Flight {
   /// Coefficients of 1, n, n^2.
   using Parabola = std::array<Rational, 3>;
 
-  static constexpr int kStepped = 2000;  ///< how many frames are stepped where there is no closed form
+  static constexpr int kStepped = 2000;      ///< how many frames are stepped where there is no closed form
+  static constexpr int kForceFrames = 1000;  ///< the most frames over which a launching force is held
 
   /// param   dt  seconds a frame
   /// throws  BadInput  when dt is not positive, for a value of an unknown parameter, a wrong number of
-  /// substeps, or an impulse for a program that knows none
+  /// substeps, an impulse for a program that knows none, or force_frames out of 1..kForceFrames
   Flight(const Program& program, const Rational& dt, int substeps = 1, const Values& given = {},
-         LaunchBy by = LaunchBy::velocity);
+         LaunchBy by = LaunchBy::velocity, int force_frames = 1);
   Flight(Flight&&) noexcept;
   Flight& operator=(Flight&&) noexcept;
   ~Flight();
@@ -53,6 +54,7 @@ class Flight {
   int substeps() const { return substeps_; }
   const Values& parameters() const { return parameters_; }
   LaunchBy launch_by() const { return by_; }
+  int force_frames() const { return force_frames_; }  ///< over how many frames a launching force is held
   /// What had to be rounded, "pow(9/10, 1/50)"; where there is something, nothing is exact.
   const std::vector<std::string>& rounded() const { return rounded_; }
 
@@ -92,6 +94,7 @@ class Flight {
   int substeps_;
   Values parameters_;
   LaunchBy by_;
+  int force_frames_;
   std::vector<std::string> rounded_;
   std::optional<GeometricFlight> geometric_;
   bool parabolic_ = false;

@@ -21,11 +21,11 @@ std::optional<LimitMet> limit_met(const Flight& flight, const Surd& launch, cons
   Run<Numbers<double>> run(tape, problem, flight.dt().to_double());
   run.begin(0, flight.launch_by() == LaunchBy::velocity ? up : 0, 0);
   if (flight.launch_by() == LaunchBy::impulse) run.give_impulse(up);
-  if (flight.launch_by() == LaunchBy::force) push = up / flight.dt().to_double();
+  if (flight.launch_by() == LaunchBy::force) push = up / (flight.force_frames() * flight.dt().to_double());
   LimitMet met;
   for (std::int64_t n = 1; n <= kLimitFrames; ++n) {
     run.step();
-    push = 0;
+    if (n >= flight.force_frames()) push = 0;
     const double here = run.read_out().first;
     if (here > met.best_height) {
       met.best_height = here;

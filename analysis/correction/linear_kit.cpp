@@ -316,6 +316,12 @@ class Matcher {
 
   void define_flow() {
     const LinearFlow flow = linear_flow(force_, step_->map.force.extras->names());
+    for (const auto& [there, number, what] :
+         {std::tuple{force_.spring, force_.k, "k < 0: unstable physics, the true motion itself runs away"},
+          {force_.damper, force_.c, "c < 0: a damper that drives, the true motion itself runs away"}})
+      if (there && number && number->sign() < 0)
+        kit_.notes.push_back(std::string(what) +
+                             "; the corrected one runs away with it, exact on every frame");
     kit_.definitions = flow.definitions;
     kit_.other_flows = flow.others;
     const auto at_h = [](const Expr& e) { return replace(e, "t", name("h")); };

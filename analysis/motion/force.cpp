@@ -55,7 +55,9 @@ void read_letters(std::string_view text, std::string_view letters, bool spring, 
         complain(text, std::string(letter.substr(0, 20)) + " is given twice");
       continue;
     }
-    (letter == "k" ? force.k : force.c) = value;
+    std::optional<Rational>& known = letter == "k" ? force.k : force.c;
+    if (known) complain(text, std::string(letter) + " is given twice");
+    known = value;
     // Nothing is lost: a spring of stiffness 0 is no spring.
     if (value.is_zero()) (letter == "k" ? force.spring : force.damper) = false;
   }

@@ -73,7 +73,12 @@ StepMatrix step_matrix(const Program& program, const NumericQuestion& q) {
   const Tape tape = lower(substepped(program, q.substeps), parameter_values(program, q.parameters));
   const Force f = without_own_equation(q.force);
   StepMatrix m;
-  m.map = step_map(tape, f.degree, f.stiffness(), f.damping(), Fraction(q.h));
+  try {
+    m.map = step_map(tape, f.degree, f.stiffness(), f.damping(), Fraction(q.h));
+  } catch (const Undefined& e) {
+    throw Undefined("there is no step of " + program.name + " with dt = " + q.h.str() +
+                    " s and this force: " + e.what());
+  }
   const NumberField field(m.map.generators);
   const int states = m.map.force.states, binomials = std::max(f.degree + 1, 0), size = states + binomials;
   for (int i = 0; i < states; ++i) {

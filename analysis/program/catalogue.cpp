@@ -8,6 +8,7 @@
 #include "analysis/program/parse.hpp"
 #include "analysis/program/suggest.hpp"
 #include "analysis/program/tableau_file.hpp"
+#include "analysis/program/version.hpp"
 
 namespace shortfall {
 
@@ -47,6 +48,8 @@ Program find_integrator(const std::string& word) {
   // A word with a slash is an alias such as "3/8 rule" only when it is written as it stands; otherwise it is
   // a path.
   const bool path = word.find('/') != std::string::npos;
+  if (const std::size_t sign = word.find('@'); sign != std::string::npos && !path)
+    return of_version(find_integrator(word.substr(0, sign)), word.substr(sign + 1), catalogue());
   const auto key = path ? lower_case : folded;
   const std::string wanted = key(word);
   std::vector<std::string> near_names;

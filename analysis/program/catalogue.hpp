@@ -15,9 +15,9 @@ const std::vector<Program>& catalogue();
 std::string family(const Program& program);
 
 /// The integrator a user means: a name or an alias of the catalogue (case, blanks and hyphens do not matter),
-/// or the path of a file.
+/// an engine with its version, "rapier@0.21" (version.hpp), or the path of a file.
 ///
-/// throws  BadInput  for an unknown name, with a suggestion; SyntaxError from a file
+/// throws  BadInput  for an unknown name, with a suggestion, or version; SyntaxError from a file
 Program find_integrator(const std::string& word);
 
 }  // namespace shortfall

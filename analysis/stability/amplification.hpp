@@ -22,7 +22,7 @@ struct Amplification {
   std::vector<std::string> letters;  ///< names, see letters.hpp
   std::vector<std::string> states;   ///< names of the carried vectors
   std::vector<AlgebraicLetter>
-      algebraic;  ///< letters that stand for numbers; all formulas are reduced by them
+      algebraic;                  ///< letters that stand for numbers; all formulas are reduced by them
   SquareMatrix<Fraction> matrix;  ///< empty for `repeated` steps with two eigenvalues that are not 0
   int zeros =
       0;  ///< multiplicity of the eigenvalue 0: carried vectors that follow from the others, or are not used
@@ -74,7 +74,8 @@ Amplification amplification(const Program& program, const Values& given = {}, Da
 Amplification amplification_at(const Program& program, const Values& given, const Rational& h,
                                Damping damping, std::set<std::string>* rounded = nullptr);
 
-/// Of a frame of `count` steps, each of 1/count of the frame's h; without a matrix where two eigenvalues matter.
+/// Of a frame of `count` steps, each of 1/count of the frame's h; without a matrix where two eigenvalues
+/// matter.
 Amplification repeated(const Amplification& step, int count);
 
 /// For claims about the undamped oscillator x'' = -w^2 x: trace and determinant of its pair, in the letter of
