@@ -32,6 +32,10 @@ std::string as_code(const Question& q, const std::string& word, const std::strin
     throw BadInput("--lang '" + word.substr(0, 60) + "': we write " +
                    fmt::format("{}", fmt::join(language_names(), ", ")) +
                    did_you_mean(word, language_names()));
+  if (is_force_class(q.force))
+    throw Unable(
+        "a launch for every force is given as a formula; code is printed for forces that have a formula of "
+        "their own, such as --force constant, poly:D and spring");
   const Force asked = force_named(q.force);
   const Force force = with_own_equation(asked, q.program(), q.values());
   if (force.linear() && !(asked.degree == 0 && !asked.linear())) {

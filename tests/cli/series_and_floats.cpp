@@ -64,6 +64,9 @@ TEST_CASE("correct --force general: launch, certificate, exit codes") {
   CHECK(folder.run("correct velocity-verlet --force 'a(x, t)' --order 6").code == 4);
   CHECK(folder.run("correct velocity-verlet --order 4").code == 2);
   CHECK(folder.run("correct velocity-verlet --force general --order 1").code == 2);
+  const Outcome code = folder.run("correct symplectic-euler --force general --lang cpp");
+  CHECK(code.code == 4);
+  CHECK(contains(code.error, "is given as a formula"));
 }
 
 TEST_CASE("budget, cycle and extremes --json") {
