@@ -30,16 +30,22 @@ void fit(Figure::Axis& axis, const Range& range, double more_right = 1) {
   axis.high = std::pow(10.0, std::ceil(std::log10(range.high * more_right) + 0.05));
 }
 
-/// Names at the ends of their lines, moved apart where they would lie on each other.
+/// Names at the ends of their lines, moved apart, up and down alike, where they would lie on each other.
 void place_labels(Figure::Panel& panel, std::vector<Figure::Label> labels) {
   std::ranges::sort(labels, [](const auto& a, const auto& b) { return a.at.y < b.at.y; });
-  const double span = std::log10(panel.y.high / panel.y.low), least = span / 26;
-  double last = -1e300;
-  for (Figure::Label& l : labels) {
-    const double y = std::max(std::log10(l.at.y), last + least);
-    last = y;
-    l.at.y = std::pow(10.0, y);
-    panel.labels.push_back(std::move(l));
+  const double span = std::log10(panel.y.high / panel.y.low), least = span / 24;
+  std::vector<double> y;
+  for (const Figure::Label& l : labels) y.push_back(std::log10(l.at.y));
+  for (int round = 0; round < 200; ++round)
+    for (std::size_t i = 0; i + 1 < y.size(); ++i) {
+      const double overlap = least - (y[i + 1] - y[i]);
+      if (overlap <= 0) continue;
+      y[i] -= overlap / 2;
+      y[i + 1] += overlap / 2;
+    }
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    labels[i].at.y = std::pow(10.0, y[i]);
+    panel.labels.push_back(std::move(labels[i]));
   }
 }
 
@@ -83,17 +89,15 @@ Figure::Panel panel(const Trade& trade, std::size_t observable) {
     p.curves.push_back({{{{p.x.low, floor}, {p.x.high, floor}}}, Ink::grey, 1, true});
     p.labels.push_back({{p.x.low * 1.1, floor}, "floor of " + format, Ink::grey, Figure::Align::left, 0.5});
   }
-  std::size_t ink = 0;
-  std::string last;
+  std::vector<std::string> families;
   for (const TradeSeries& s : trade.series) {
-    const std::string family =
-        s.integrator.empty() ? s.label : s.integrator + (s.launched ? " + launch" : "");
-    if (!last.empty() && family != last) ++ink;
-    last = family;
-    Figure::Curve curve{{},
-                        s.integrator.empty() ? Ink::grey : kInks[ink % kInks.size()],
-                        s.launched ? 3.0 : 1.8,
-                        s.format == "f32"};
+    const bool is_peer = s.integrator.empty();
+    const std::string family = is_peer ? s.label : s.integrator + (s.launched ? " + launch" : "");
+    const auto known = std::ranges::find(families, family);
+    const auto ink = static_cast<std::size_t>(known - families.begin());
+    if (known == families.end() && !is_peer) families.push_back(family);
+    Figure::Curve curve{
+        {}, is_peer ? Ink::grey : kInks[ink % kInks.size()], s.launched ? 3.0 : 1.8, s.format == "f32"};
     Figure::Path path;
     for (const SceneOutcome& point : s.points) {
       const double error = point.failed ? 0 : std::fabs(point.errors[observable]);
@@ -107,7 +111,12 @@ Figure::Panel panel(const Trade& trade, std::size_t observable) {
     if (!path.empty()) curve.paths.push_back(std::move(path));
     if (curve.paths.empty()) continue;
     const Figure::Point end = curve.paths.back().back();
-    labels.push_back({{end.x * 1.15, end.y}, s.label, curve.ink, Figure::Align::left, 0});
+    // In the same colour a dashed line is known by the whole one.
+    const bool has_whole_line =
+        s.format == "f32" && std::ranges::any_of(trade.series, [&](const TradeSeries& other) {
+          return other.integrator == s.integrator && other.launched == s.launched && other.format == "f64";
+        });
+    if (!has_whole_line) labels.push_back({{end.x * 1.15, end.y}, family, curve.ink, Figure::Align::left, 0});
     p.curves.push_back(std::move(curve));
   }
   for (const TradePlace& place : pareto_front(trade, observable)) {

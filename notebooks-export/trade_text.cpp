@@ -121,7 +121,8 @@ std::string as_text(const Trade& trade) {
   text += failures(trade);
   if (trade.timed)
     text +=
-        "\n  times are the least of repeated runs of compiled code, interleaved; those of the other "
+        "\n  times are processor times, the least of repeated runs of compiled code, interleaved; those of "
+        "the other "
         "libraries call the "
         "same force\n";
   return text;

@@ -125,8 +125,9 @@ class Adviser {
     return outcome.meets(scene_, 1 / question_.margin) ? std::optional(std::move(outcome)) : std::nullopt;
   }
 
-  /// Shorter steps no longer help: the rounding of the format is in the way.
-  bool is_stuck() const { return without_gain_ >= 4 && best_of_way_ < INFINITY; }
+  /// Shorter steps no longer help: the rounding of the format is in the way. Far from the tolerance it is the
+  /// step that is still too long to be stable.
+  bool is_stuck() const { return without_gain_ >= 4 && best_of_way_ < 1000; }
   void begin_way() {
     best_of_way_ = INFINITY;
     without_gain_ = 0;

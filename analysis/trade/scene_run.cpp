@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/trade/scene_run.hpp"
 
-#include <chrono>
 #include <cmath>
+#include <ctime>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/native/native_run.hpp"
@@ -232,10 +232,14 @@ SceneOutcome SceneStepping::observe(const SceneReference& reference) { return ma
 void SceneStepping::run(std::int64_t frames) { machine_->step_through(frames); }
 
 double nanoseconds_of(const std::function<void()>& once, int times) {
-  using Clock = std::chrono::steady_clock;
-  const auto from = Clock::now();
+  const auto now = [] {
+    std::timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return 1e9 * static_cast<double>(t.tv_sec) + static_cast<double>(t.tv_nsec);
+  };
+  const double from = now();
   for (int i = 0; i < times; ++i) once();
-  return std::chrono::duration<double, std::nano>(Clock::now() - from).count() / times;
+  return (now() - from) / times;
 }
 
 }  // namespace shortfall

@@ -76,7 +76,8 @@ std::int64_t frames_to(const DoubleDouble& end, const Rational& frame);
 /// itself.
 ForceChoice asked_forces(const Scene& scene, const std::string& integrator, const ForceChoice& chosen = {});
 
-/// How long something takes, the mean of so many times.
+/// The processor time that something takes in this thread (the turns of other programs do not count), the
+/// mean of so many times.
 double nanoseconds_of(const std::function<void()>& once, int times);
 
 }  // namespace shortfall

@@ -68,8 +68,9 @@ double unit_roundoff(const std::string& format) {
   return format == "f32" ? 0x1p-24 : format == "dd" ? 0x1p-106 : 0x1p-53;
 }
 
-/// The size of what an observable reads.
-double magnitude(const SceneReading<DoubleDouble>& reading) {
+/// The size of what an observable reads; an energy's drift is relative already.
+double magnitude(const SceneObservable& o, const SceneReading<DoubleDouble>& reading) {
+  if (o.kind == SceneObservable::Kind::energy_drift) return 1;
   double largest = 0;
   for (const DoubleDouble& v : reading.value) largest = std::max(largest, std::fabs(v.high()));
   return largest;
@@ -110,8 +111,8 @@ std::optional<TradeSeries::Order> observed_order(const std::vector<double>& step
   for (std::size_t i = 0; i < slopes.size(); ++i) {
     if (slopes[i] == 0) continue;
     std::size_t j = i;
-    while (j + 1 < slopes.size() && slopes[j + 1] != 0 && std::fabs(slopes[j + 1] - slopes[i]) < 0.35 &&
-           std::fabs(slopes[j + 1] - slopes[j]) < 0.35)
+    while (j + 1 < slopes.size() && slopes[j + 1] != 0 && std::fabs(slopes[j + 1] - slopes[i]) < 0.25 &&
+           std::fabs(slopes[j + 1] - slopes[j]) < 0.25)
       ++j;
     // Of equally long ranges the one with shorter steps: there the order is what it is said to be.
     if (j - i + 1 > longest || (best && j - i + 1 == longest && longest >= 2)) {
@@ -241,7 +242,8 @@ Trade trade(const Scene& scene, const TradeQuestion& question, const Progress& p
   for (std::size_t i = 0; i < scene.observables.size(); ++i) {
     result.floors.emplace_back();
     for (const std::string& f : formats)
-      result.floors.back().emplace_back(f, unit_roundoff(f) * magnitude(result.reference.readings[i]));
+      result.floors.back().emplace_back(
+          f, unit_roundoff(f) * magnitude(scene.observables[i], result.reference.readings[i]));
   }
   for (TradeSeries& s : result.series)
     for (std::size_t i = 0; i < scene.observables.size(); ++i) {
@@ -250,8 +252,8 @@ Trade trade(const Scene& scene, const TradeQuestion& question, const Progress& p
         h.push_back(o.choice.frame.to_double());
         e.push_back(o.failed ? 0 : std::fabs(o.errors[i]));
       }
-      const double floor =
-          unit_roundoff(s.format) * std::max(magnitude(result.reference.readings[i]), 1e-300);
+      const double floor = unit_roundoff(s.format) *
+                           std::max(magnitude(scene.observables[i], result.reference.readings[i]), 1e-300);
       s.orders.push_back(s.integrator.empty() ? std::nullopt : observed_order(h, e, floor));
     }
   return result;

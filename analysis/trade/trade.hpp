@@ -79,7 +79,7 @@ std::optional<TradePlace> cheapest(const Trade& trade);
 double cost(const Trade& trade, const SceneOutcome& outcome);
 
 /// The observed order between steps h[i] and errors e[i] (0: unknown), and where it holds: the longest run of
-/// steps over which the slopes of neighbours differ by less than 0.35, well above `floor`; at least three.
+/// steps over which the slopes of neighbours differ by less than 0.25, well above `floor`; at least three.
 std::optional<TradeSeries::Order> observed_order(const std::vector<double>& steps,
                                                  const std::vector<double>& errors, double floor);
 

@@ -10,7 +10,7 @@ using namespace shortfall;
 
 namespace {
 
-nlohmann::json json_of(const Folder& folder, const std::string& arguments) {
+nlohmann::json budget_of(const Folder& folder, const std::string& arguments) {
   const Outcome o = folder.run("budget " + arguments + " --json");
   CAPTURE(o.error);
   REQUIRE(o.code == 0);
@@ -25,7 +25,6 @@ double number(const nlohmann::json& value) {
   return slash == std::string::npos ? std::stod(text) : std::stod(text) / std::stod(text.substr(slash + 1));
 }
 
-
 }  // namespace
 
 TEST_CASE("budget --landing and --periods: the parts add up") {
@@ -35,7 +34,7 @@ TEST_CASE("budget --landing and --periods: the parts add up") {
         "velocity-verlet --force spring:k=40 --dt 1/60f --periods 2 --formats bf16+kahan,f32,f64",
         "gauss4 --force damped-spring:k=9,c=1/2 --dt 1/30 --periods 1 --formats f64"}) {
     CAPTURE(question);
-    const auto j = json_of(folder, question);
+    const auto j = budget_of(folder, question);
     for (const auto& b : j["budgets"]) {
       const auto& q = b["quantities"][0];
       CHECK(q["unit"] == "s");
@@ -47,12 +46,12 @@ TEST_CASE("budget --landing and --periods: the parts add up") {
       for (const auto& r : b["remedies"]) CHECK(r["becomes"].is_null() == false);
     }
   }
-  CHECK(json_of(folder, "--force spring:k=1 --periods 3")["budgets"][0]["periods"] == 3);
+  CHECK(budget_of(folder, "--force spring:k=1 --periods 3")["budgets"][0]["periods"] == 3);
 }
 
 TEST_CASE("budget says where rounding begins, and what it is as tracked beside the run") {
   const Folder folder;
-  const auto j = json_of(
+  const auto j = budget_of(
       folder,
       "symplectic-euler --force spring:k=1 --dt 1/10 --steps 1000 --formats f32,f64,f64+tozero,mpfr:30");
   for (const auto& b : j["budgets"]) {
@@ -66,7 +65,8 @@ TEST_CASE("budget says where rounding begins, and what it is as tracked beside t
     const double exact = number(b["quantities"][0]["rounding"]);
     CHECK(std::abs(b["rounding_tracked"]["x"].get<double>() - exact) <= 1e-11 * std::abs(exact));
   }
-  const auto dyadic = json_of(folder, "velocity-verlet --force constant:a=-8 --dt 1/64 --v0 5/2 --steps 100");
+  const auto dyadic =
+      budget_of(folder, "velocity-verlet --force constant:a=-8 --dt 1/64 --v0 5/2 --steps 100");
   CHECK(dyadic["budgets"][0]["first_rounding"].is_null());
   CHECK(dyadic["budgets"][0]["rounding_tracked"]["x"] == 0);
   CHECK(contains(folder.run("budget --force spring:k=1 --dt 1/10 --steps 9 --formats f32").out,
