@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/algebra/error.hpp"
 #include "analysis/trade/frame_reader.hpp"
 #include "analysis/trade/trade.hpp"
 
@@ -35,7 +36,11 @@ SceneOutcome observed(const Peer& peer, const Scene& scene, const SceneReference
       ++outcome.steps;
       outcome.evaluations = force.evaluations;
     }
-    finite = reader.frame(DoubleDouble(t), x, v);
+    try {
+      finite = reader.frame(DoubleDouble(t), x, v);
+    } catch (const Undefined&) {  // too wild to be read between frames; not through their code
+      finite = false;
+    }
     return finite && !reader.is_done();
   };
   // An event that ends the scene may come a little later than the true one.

@@ -40,6 +40,11 @@ SceneObserver<T>::SceneObserver(const Scene& scene, TaylorFlow<T>& flow,
   for (const SceneEvent& e : scene.events)
     events_.push_back(
         {(e.of_velocity ? m_ : 0) + e.body * scene.dimension + e.axis, number_(e.level), e.direction});
+  // Of forty thousand swings of a clock the first and the last are looked at.
+  for (Watch& w : events_) w.wanted = {0};
+  for (const SceneObservable& o : scene.observables)
+    if (o.event)
+      events_[static_cast<std::size_t>(*o.event)].wanted.push_back(static_cast<std::size_t>(o.count) - 1);
   for (std::size_t i = 0; i < scene.observables.size(); ++i) {
     const SceneObservable& o = scene.observables[i];
     apexes_.push_back({m_ + o.body * scene.dimension + o.axis, number_(0), -1});
@@ -74,7 +79,8 @@ void SceneObserver<T>::frame(const T& t, const std::vector<T>& x, const std::vec
       if (within) top(i, x_[static_cast<std::size_t>(c)], t_);
       continue;
     }
-    // Between frames: where it turns, and where it begins and ends. Frames beside a turn are as high, to rounding.
+    // Between frames: where it turns, and where it begins and ends. Frames beside a turn are as high, to
+    // rounding.
     const std::size_t known = apexes_[i].passings.size();
     look(apexes_[i], first);
     if (apexes_[i].passings.size() > known) {
@@ -123,6 +129,10 @@ void SceneObserver<T>::look(Watch& watch, bool first) {
   watch.side = side;
   if (first || before == 0 || before == side) return;
   if (watch.direction != 0 && watch.direction != side) return;
+  if (!watch.wanted.empty() && std::ranges::find(watch.wanted, watch.passings.size()) == watch.wanted.end()) {
+    watch.passings.push_back({before_, {}});
+    return;
+  }
   const T frame = t_ - before_;
   const T tau = root(watch, frame * number_(3)).value_or(frame * number_(Rational(1, 2)));
   const T time = before_ + tau;
@@ -139,7 +149,7 @@ std::optional<T> SceneObserver<T>::root(const Watch& watch, const T& limit) {
   std::vector<T> x = x_before_, v = v_before_;
   T t = before_, offset = number_(0);
   const int from = -watch.side;
-  while (rough(offset) < rough(limit)) {
+  for (int series = 0; rough(offset) < rough(limit) && series < kMostSeriesOfFollow; ++series) {
     flow_.expand(x, v, t);
     const double length = std::min(flow_.length(), rough(T(limit - offset)));
     const auto g = [&](const T& tau) { return T(flow_.at(watch.coordinate, tau) - watch.level); };

@@ -54,6 +54,8 @@ class SceneObserver {
     int direction;
     int side = 0;  ///< at the last frame; 0 while it is on the level from the beginning
     std::vector<Passing> passings{};
+    /// Which of them are looked at, by index; the others are only counted. Empty: all.
+    std::vector<std::size_t> wanted{};
   };
 
   void look(Watch& watch, bool first);
@@ -78,7 +80,7 @@ class SceneObserver {
     bool any = false;
     T height, time;
   };
-  std::vector<Top> tops_, last_;  ///< the highest so far, and the last frame before the end
+  std::vector<Top> tops_, last_;       ///< the highest so far, and the last frame before the end
   std::vector<std::vector<T>> times_;  ///< at which each observable is read
   std::vector<std::size_t> next_time_;
   std::vector<std::vector<T>> values_;

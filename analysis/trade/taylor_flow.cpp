@@ -248,7 +248,9 @@ template <class T>
 void follow(TaylorFlow<T>& flow, std::vector<T>& x, std::vector<T>& v, T& t, const T& duration) {
   const int m = flow.coordinates();
   T left = duration;
-  while (rough(left) > 0) {
+  for (int series = 0; rough(left) > 0; ++series) {
+    if (series == kMostSeriesOfFollow)
+      throw Undefined("beyond t = " + std::to_string(rough(t)) + " the motion is too wild to be followed");
     flow.expand(x, v, t);
     T step = left;
     if (flow.length() < rough(left)) step = T(flow.length());

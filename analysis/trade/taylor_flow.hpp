@@ -72,6 +72,10 @@ class TaylorFlow {
 };
 
 /// x and v after a time, by as many series as it takes.
+///
+/// throws  Undefined  when that are more than kMostSeriesOfFollow: where a run has exploded, series are short
+/// without end
+inline constexpr int kMostSeriesOfFollow = 500;
 template <class T>
 void follow(TaylorFlow<T>& flow, std::vector<T>& x, std::vector<T>& v, T& t, const T& duration);
 
