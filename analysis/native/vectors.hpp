@@ -83,23 +83,23 @@ template <Dense V, class Operation>
   return result;
 }
 template <Dense V>
-V operator+(const V& a, const V& b) {
+[[gnu::always_inline]] inline V operator+(const V& a, const V& b) {
   return by_component(a, [&](std::size_t i) { return a[i] + b[i]; });
 }
 template <Dense V>
-V operator-(const V& a, const V& b) {
+[[gnu::always_inline]] inline V operator-(const V& a, const V& b) {
   return by_component(a, [&](std::size_t i) { return a[i] - b[i]; });
 }
 template <Dense V>
-V operator-(const V& a) {
+[[gnu::always_inline]] inline V operator-(const V& a) {
   return by_component(a, [&](std::size_t i) { return -a[i]; });
 }
 template <Dense V>
-V operator*(const typename ComponentsOf<V>::Scalar& s, const V& a) {
+[[gnu::always_inline]] inline V operator*(const typename ComponentsOf<V>::Scalar& s, const V& a) {
   return by_component(a, [&](std::size_t i) { return s * a[i]; });
 }
 template <Dense V>
-V operator/(const V& a, const typename ComponentsOf<V>::Scalar& s) {
+[[gnu::always_inline]] inline V operator/(const V& a, const typename ComponentsOf<V>::Scalar& s) {
   return by_component(a, [&](std::size_t i) { return a[i] / s; });
 }
 
