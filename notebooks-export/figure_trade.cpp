@@ -43,6 +43,12 @@ void place_labels(Figure::Panel& panel, std::vector<Figure::Label> labels) {
       y[i] -= overlap / 2;
       y[i + 1] += overlap / 2;
     }
+  // None below the axis.
+  double least_y = std::log10(panel.y.low) + least / 2;
+  for (double& value : y) {
+    value = std::max(value, least_y);
+    least_y = value + least;
+  }
   for (std::size_t i = 0; i < y.size(); ++i) {
     labels[i].at.y = std::pow(10.0, y[i]);
     panel.labels.push_back(std::move(labels[i]));
@@ -54,9 +60,7 @@ Figure::Panel panel(const Trade& trade, std::size_t observable) {
   const double tolerance = o.tolerance.to_double();
   Figure::Panel p;
   p.title = o.name;
-  p.note =
-      "shaded: within the tolerance of " + error_text(tolerance, o.unit) +
-      "; dashed lines: binary32; thin dashes: the floor of a format; dots: nothing is cheaper and better";
+  p.note = "shaded: within " + error_text(tolerance, o.unit) + "; dashed: binary32; dots: best for the cost";
   p.x.label = trade.timed ? "time for the whole scene" : "evaluations of the force";
   p.x.unit = trade.timed ? "us" : "";
   p.y.label = o.is_vector() || o.kind == SceneObservable::Kind::path ? "distance from the truth"
