@@ -83,7 +83,8 @@ std::string as_text(const Trade& trade) {
   for (std::size_t i = 0; i < scene.observables.size(); ++i) {
     const SceneObservable& o = scene.observables[i];
     text += "  " + o.name + ": tolerance " + error_text(o.tolerance.to_double(), o.unit) +
-            ", true value certain to " + error_text(trade.reference.uncertain[i], o.unit) + "\n";
+            ", the two computations of the true value differ by " +
+            error_text(trade.reference.uncertain[i], o.unit) + "\n";
   }
   std::vector<std::vector<std::string>> rows{
       {"", "step", "steps", "evaluations", trade.timed ? "time" : "cost"}};
@@ -157,7 +158,7 @@ nlohmann::ordered_json as_json(const Trade& trade) {
     nlohmann::ordered_json entry{{"name", o.name},
                                  {"unit", o.unit},
                                  {"tolerance", o.tolerance.str()},
-                                 {"certain_to", finite(trade.reference.uncertain[i])}};
+                                 {"computations_differ_by", finite(trade.reference.uncertain[i])}};
     for (const auto& [format, floor] : trade.floors[i]) entry["floors"][format] = floor;
     for (const TradePlace& p : pareto_front(trade, i))
       entry["pareto"].push_back({{"series", p.series}, {"point", p.point}});

@@ -2,27 +2,16 @@
 #include "analysis/trade/interpreted_run.hpp"
 
 #include <algorithm>
-#include <type_traits>
 
 #include "analysis/algebra/error.hpp"
-#include "analysis/floating/double_double.hpp"
 #include "analysis/native/vectors.hpp"
 #include "analysis/problems/functions.hpp"
 #include "analysis/program/run.hpp"
+#include "analysis/trade/rounded_number.hpp"
 
 namespace shortfall {
 
 namespace {
-
-template <class S>
-S rounded(const Rational& value) {
-  if constexpr (std::is_same_v<S, float>)
-    return value.to_float();
-  else if constexpr (std::is_same_v<S, double>)
-    return value.to_double();
-  else
-    return double_double(value);
-}
 
 /// Bodies in space, in numbers of any kind that rounds.
 template <class S>
@@ -34,7 +23,7 @@ struct DenseNumbers {
   ForceReference<S> force;
   std::int64_t evaluations = 0;
 
-  Scalar number(const Rational& value) const { return rounded<S>(value); }
+  Scalar number(const Rational& value) const { return rounded_number<S>(value); }
   std::optional<Scalar> parameter(int, bool) const { return std::nullopt; }
   Vector zero() const { return Vector(dimension); }
   Vector acceleration(const Vector& x, const Vector& v, const Scalar& t) {
@@ -46,7 +35,7 @@ struct DenseNumbers {
   }
   Scalar function(Function f, const Scalar& a, const Scalar& b) const { return value_of(f, a, b); }
   Scalar root(const RealRoot& root, const std::string&) const {
-    return rounded<S>(root.is_rational() ? root.rational() : near(root, kRoundedRootDigits));
+    return rounded_number<S>(root.is_rational() ? root.rational() : near(root, kRoundedRootDigits));
   }
   S length(const Vector& v) const {
     using std::sqrt;
@@ -69,7 +58,9 @@ class InterpretedRun : public NativeRun<S> {
  public:
   InterpretedRun(const Program& program, const Values& parameters, const Rational& h, std::size_t dimension,
                  ForceReference<S> force)
-      : tape_(lower(program, parameters)), problem_{dimension, force}, run_(tape_, problem_, rounded<S>(h)) {}
+      : tape_(lower(program, parameters)),
+        problem_{dimension, force},
+        run_(tape_, problem_, rounded_number<S>(h)) {}
   InterpretedRun(const InterpretedRun&) = delete;
   InterpretedRun& operator=(const InterpretedRun&) = delete;
 

@@ -195,8 +195,7 @@ SceneReference scene_reference(const Scene& scene, int digits, const ForceChoice
     if (!(off <= o.tolerance.to_double() / 1000))
       throw Unable("the true value of '" + o.name + "' is known only to " +
                    Rational::from_double(off).significant(2) + " " + o.unit + ", and the tolerance is " +
-                   o.tolerance.significant(3) + " " + o.unit +
-                   ": ask for more digits (--digits), or look earlier");
+                   o.tolerance.significant(3) + " " + o.unit + ": look earlier, or allow more");
     result.uncertain.push_back(off);
     if (o.kind == Kind::energy_drift) result.readings[i].value = {DoubleDouble(0)};
   }

@@ -14,7 +14,7 @@ namespace shortfall {
 struct SceneReference {
   DoubleDouble end;  ///< until, or the true time of the event that ends the scene
   std::vector<SceneReading<DoubleDouble>> readings;
-  /// Of each reading, by how much two independent computations differ, in its unit: what is certain of it.
+  /// Of each reading, by how much the two computations differ, in its unit: checked, not proved.
   std::vector<double> uncertain;
   int steps = 0;    ///< power series of the longer computation
   int digits = 0;   ///< that were computed with

@@ -38,7 +38,6 @@ struct SceneForce {
   std::vector<Expr> expressions;  ///< d of them, or the one potential
   bool held = false;              ///< evaluated once a frame, for all of its substeps
   bool by_engine = false;         ///< the integrator of the budget does it itself, and is not asked for it
-  int line = 0;                   ///< where the scene says it
 };
 
 struct SceneBody {
@@ -115,7 +114,6 @@ struct Scene {
   Rational step;   ///< of the naive choice: the engine's frame
   std::string naive = "rk4";
   SceneBudget budget;
-  std::vector<std::string> notes;
 
   int coordinates() const { return dimension * static_cast<int>(bodies.size()); }
 };

@@ -280,7 +280,6 @@ SceneForce read_force(const SceneContext& context, const toml::table& table) {
   text.check_keys(table, "a force of kind " + kind, keys);
   SceneForce force;
   force.kind = entry->kind;
-  force.line = static_cast<int>(table.source().begin.line);
   const toml::node* name = text.find(table, "name");
   force.name = name ? text.text(*name, "name") : kind;
   if (const toml::node* held = text.find(table, "held")) force.held = text.truth(*held, "held");

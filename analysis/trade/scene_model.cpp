@@ -8,21 +8,12 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/floating/double_double.hpp"
 #include "analysis/program/function.hpp"
+#include "analysis/trade/rounded_number.hpp"
 #include "analysis/trade/tape_run.hpp"
 
 namespace shortfall {
 
 namespace {
-
-template <class S>
-S number_of(const Rational& r) {
-  if constexpr (std::is_same_v<S, float>)
-    return r.to_float();
-  else if constexpr (std::is_same_v<S, double>)
-    return r.to_double();
-  else
-    return double_double(r);
-}
 
 bool is_chosen(const ForceChoice& chosen, std::size_t i) { return chosen.empty() || chosen[i]; }
 
@@ -233,7 +224,7 @@ template <class S>
 TapeValues<S>::TapeValues(SmoothTape tape) : tape_(std::move(tape)), values_(tape_.nodes.size()) {
   for (std::size_t i = 0; i < tape_.nodes.size(); ++i)
     if (tape_.nodes[i].op == SmoothTape::Op::constant)
-      values_[i] = number_of<S>(tape_.constants[static_cast<std::size_t>(tape_.nodes[i].a)]);
+      values_[i] = rounded_number<S>(tape_.constants[static_cast<std::size_t>(tape_.nodes[i].a)]);
 }
 
 template <class S>
@@ -244,7 +235,7 @@ void TapeValues<S>::operator()(const S* x, const S* v, const S& t, int m, S* out
 template <class S>
 SceneAcceleration<S>::SceneAcceleration(const Scene& scene, const ForceChoice& chosen)
     : m_(scene.coordinates()), kept_(static_cast<std::size_t>(m_)), extra_(static_cast<std::size_t>(m_)) {
-  const std::function<S(const Rational&)> number = number_of<S>;
+  const std::function<S(const Rational&)> number = rounded_number<S>;
   for (std::size_t i = 0; i < scene.forces.size(); ++i) {
     if (!is_chosen(chosen, i)) continue;
     const SceneForce& force = scene.forces[i];
@@ -271,7 +262,7 @@ void SceneAcceleration<S>::add(const std::vector<int>& which, const S* x, const 
 template <class S>
 void SceneAcceleration<S>::begin_frame(const S* x, const S* v, const S& t) {
   if (held_.empty()) return;
-  for (S& k : kept_) k = number_of<S>(0);
+  for (S& k : kept_) k = rounded_number<S>(0);
   add(held_, x, v, t, kept_.data());
 }
 

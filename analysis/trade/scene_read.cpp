@@ -51,10 +51,9 @@ class SceneReader {
   Scene read() {
     const toml::table& root = text_.root();
     text_.check_keys(root, "a scene",
-                     {"title", "notes", "dimension", "coordinates", "units", "until", "dt", "naive",
-                      "parameters", "body", "force", "event", "observable", "budget"});
+                     {"title", "dimension", "coordinates", "units", "until", "dt", "naive", "parameters",
+                      "body", "force", "event", "observable", "budget"});
     if (const auto* node = text_.find(root, "title")) scene_.title = text_.text(*node, "title");
-    if (const auto* node = text_.find(root, "notes")) scene_.notes = text_.words(*node, "notes");
     read_units(root);
     if (const auto* node = text_.find(root, "dimension"))
       scene_.dimension = static_cast<int>(text_.whole(*node, "dimension", 1, 3));

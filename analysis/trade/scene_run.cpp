@@ -10,22 +10,13 @@
 #include "analysis/program/transform.hpp"
 #include "analysis/trade/frame_reader.hpp"
 #include "analysis/trade/interpreted_run.hpp"
+#include "analysis/trade/rounded_number.hpp"
 
 namespace shortfall {
 
 namespace {
 
 constexpr std::int64_t kMostSteps = 200'000'000;
-
-template <class S>
-S nearest(const Rational& value) {
-  if constexpr (std::is_same_v<S, float>)
-    return value.to_float();
-  else if constexpr (std::is_same_v<S, double>)
-    return value.to_double();
-  else
-    return double_double(value);
-}
 
 template <class S>
 S nearest(const DoubleDouble& value) {
@@ -122,7 +113,7 @@ struct SceneStepping::MachineOf : Machine {
     constexpr bool compiled = !std::is_same_v<S, DoubleDouble>;
     if constexpr (compiled) {
       if (!choice.interpreted && !why_not_native(program))
-        run = native_run<S>(program, parameters, nearest<S>(h), m, ForceReference<S>(force));
+        run = native_run<S>(program, parameters, rounded_number<S>(h), m, ForceReference<S>(force));
     }
     if (!run) run = interpreted_run<S>(program, parameters, h, m, ForceReference<S>(force));
     for (const DoubleDouble& c : x0) start_x.push_back(nearest<S>(c));
@@ -132,8 +123,8 @@ struct SceneStepping::MachineOf : Machine {
   }
 
   void begin() {
-    acceleration.begin_frame(start_x.data(), start_v.data(), nearest<S>(Rational(0)));
-    run->begin(start_x, start_v, nearest<S>(Rational(0)));
+    acceleration.begin_frame(start_x.data(), start_v.data(), rounded_number<S>(0));
+    run->begin(start_x, start_v, rounded_number<S>(0));
   }
 
   void frame() {
