@@ -153,8 +153,9 @@ void arrange(std::vector<Term>& terms) {
   });
 }
 
-/// Then a row can be put where its entry was.
-bool each_old_entry_is_used_before_it_changes(const std::vector<Row>& rows) {
+}  // namespace
+
+bool ExactPlan::in_place(const std::vector<Row>& rows) {
   std::vector<bool> changed(rows.size());
   for (const Row& row : rows) {
     for (const Term& t : row.terms)
@@ -164,15 +165,12 @@ bool each_old_entry_is_used_before_it_changes(const std::vector<Row>& rows) {
   return true;
 }
 
-}  // namespace
-
-ExactPlan::ExactPlan(const std::vector<std::vector<mpz_class>>& matrix)
-    : size_(static_cast<int>(matrix.size())) {
+std::vector<ExactPlan::Row> ExactPlan::rows(const std::vector<std::vector<mpz_class>>& matrix) {
   double cost = 0;
   std::vector<Row> rows;
   for (const Choice& c : choices(matrix, cost)) {
     Row row{c.row, {}};
-    for (int j = 0; j < size_; ++j) {
+    for (int j = 0; j < static_cast<int>(matrix.size()); ++j) {
       mpz_class rest = matrix[c.row][j];
       if (c.minus >= 0) rest -= c.sign * matrix[c.minus][j];
       if (rest != 0) row.terms.push_back(term(j, false, rest));
@@ -181,8 +179,14 @@ ExactPlan::ExactPlan(const std::vector<std::vector<mpz_class>>& matrix)
     arrange(row.terms);
     rows.push_back(std::move(row));
   }
-  in_place_ = each_old_entry_is_used_before_it_changes(rows);
-  for (Row& row : rows) {
+  return rows;
+}
+
+ExactPlan::ExactPlan(const std::vector<std::vector<mpz_class>>& matrix)
+    : size_(static_cast<int>(matrix.size())) {
+  std::vector<Row> all = rows(matrix);
+  in_place_ = in_place(all);
+  for (Row& row : all) {
     if (in_place_) {
       const auto own =
           std::ranges::find_if(row.terms, [&](const Term& t) { return !t.fresh && t.source == row.target; });

@@ -37,6 +37,10 @@ class ExactPlan {
     int target = 0;
     std::vector<Term> terms;
   };
+  /// The rows in the cheapest order that was found, each with what is dear in the first place.
+  static std::vector<Row> rows(const std::vector<std::vector<mpz_class>>& matrix);
+  /// Whether a row can be put where its entry was, as every old entry is used before it changes.
+  static bool in_place(const std::vector<Row>& rows);
 
  private:
   /// out = a op b, or a op word; entries of z, then those of `room`.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <optional>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/gmp.hpp"
@@ -37,7 +38,7 @@ Modular modular(const mpz_class& value) {
 
 int ExactReading::sign() const {
   ExactTrajectory::Parts& p = *trajectory_->parts_;
-  if (const int unit = p.report(velocity_).unit; unit >= 0) return sgn(p.state.values()[unit]);
+  if (const int unit = p.report(velocity_).unit; unit >= 0) return p.state.sign(unit);
   mpz_class room;
   return sgn(p.numerator(velocity_, room));
 }
@@ -56,6 +57,11 @@ Rational ExactReading::rational() const {
 Ball ExactReading::ball(int bits) const {
   ExactTrajectory::Parts& p = *trajectory_->parts_;
   if (sign() == 0) return {0, bits};
+  if (const int unit = p.report(velocity_).unit; unit >= 0)
+    if (std::optional<Ball> value = p.state.scaled(unit, bits + 16)) {
+      *value /= leading(p.report(velocity_).denominator, bits + 16);
+      return *value /= leading(p.step.start_denominator, bits + 16);
+    }
   mpz_class room;
   // A power multiplies the relative error of its base by n, which has fewer than 64 bits.
   const int more = bits + 80;
@@ -67,11 +73,10 @@ Ball ExactReading::ball(int bits) const {
 }
 
 std::string ExactReading::significant(int digits) const {
-  const auto whole = static_cast<int>(std::min<std::size_t>(bits() + 64, 1 << 16));
-  for (int bits = 4 * digits + 64;; bits *= 2) {
-    if (const auto text = ball(bits).significant(digits)) return *text;
+  for (int most = 4 * digits + 64;; most *= 2) {
+    if (const auto text = ball(most).significant(digits)) return *text;
     // A tie, or nearly: no number of leading digits need decide it.
-    if (bits > whole) return rational().significant(digits);
+    if (most > 1 << 16 || static_cast<std::size_t>(most) > bits() + 64) return rational().significant(digits);
   }
 }
 

@@ -33,7 +33,8 @@ Int128 wide(const mpz_class& value) {
 
 }  // namespace
 
-ExactState::ExactState(const ExactStep& step) : step_(step), z_(step.start), next_(step.size()) {
+ExactState::ExactState(const ExactStep& step)
+    : step_(step), z_(step.start), next_(step.size()), dyadic_(ExactDyadic::of(step)) {
   enter_words();
 }
 
@@ -89,6 +90,24 @@ bool ExactState::add_power() {
 }
 
 void ExactState::apply(std::int64_t steps) {
+  if (steps == 1 && dyadic_)
+    step_dyadic();
+  else
+    apply_power(steps);
+}
+
+void ExactState::step_dyadic() {
+  // frame_ counts the step already.
+  if (!std::exchange(in_dyadic_, true)) dyadic_->load(z_, frame_ - 1);
+  check_length(dyadic_->limbs());
+  dyadic_->step();
+}
+
+void ExactState::apply_power(std::int64_t steps) {
+  if (std::exchange(in_dyadic_, false) && copied_ != frame_ - steps) {
+    z_ = dyadic_->values();
+    room_ = 0;
+  }
   make_room();
   auto& way = ways_[steps - 1];
   if (std::holds_alternative<std::monostate>(way)) {
@@ -108,14 +127,22 @@ void ExactState::make_room() {
   std::size_t limbs = 0;
   for (const mpz_class& z : z_) limbs = std::max(limbs, mpz_size(z.get_mpz_t()));
   if (limbs + kSpareLimbs <= room_) return;
-  if (limbs > kLongestExactNumber / GMP_NUMB_BITS)
-    throw Unable("the exact trajectory at frame " + std::to_string(frame_) + " has numbers of more than " +
-                 std::to_string(kLongestExactNumber) +
-                 " binary digits; numbers after n steps with certain digits need no such memory");
+  check_length(limbs);
   // For many steps: GMP would make it anew at each.
   room_ = limbs + limbs / 2 + 2 * kSpareLimbs;
   for (auto* vector : {&z_, &next_})
     for (mpz_class& z : *vector) mpz_realloc2(z.get_mpz_t(), static_cast<mp_bitcnt_t>(room_) * GMP_NUMB_BITS);
+}
+
+void ExactState::check_length(std::size_t limbs) const {
+  if (limbs > kLongestExactNumber / GMP_NUMB_BITS)
+    throw Unable("the exact trajectory at frame " + std::to_string(frame_) + " has numbers of more than " +
+                 std::to_string(kLongestExactNumber) +
+                 " binary digits; numbers after n steps with certain digits need no such memory");
+}
+
+void ExactState::settle() {
+  if (pending_ > 0) apply(std::exchange(pending_, 0));
 }
 
 const std::vector<mpz_class>& ExactState::values() {
@@ -123,16 +150,27 @@ const std::vector<mpz_class>& ExactState::values() {
     if (seen_ != frame_)
       for (std::size_t i = 0; i < z_.size(); ++i) z_[i] = gmp_integer(words_->state()[i]);
     seen_ = frame_;
-  } else if (pending_ > 0) {
-    apply(std::exchange(pending_, 0));
+    return z_;
+  }
+  settle();
+  if (in_dyadic_ && std::exchange(copied_, frame_) != frame_) {
+    z_ = dyadic_->values();
+    room_ = 0;
   }
   return z_;
 }
 
-std::size_t ExactState::bits() {
-  std::int64_t most = 0;
-  for (const mpz_class& z : values()) most = std::max(most, size_in_bits(z));
-  return static_cast<std::size_t>(most);
+int ExactState::sign(int entry) {
+  if (words_) return sgn(values()[entry]);
+  settle();
+  return in_dyadic_ ? dyadic_->sign(entry) : sgn(z_[entry]);
+}
+
+std::optional<Ball> ExactState::scaled(int entry, int bits) {
+  if (words_) return std::nullopt;
+  settle();
+  if (!in_dyadic_) return std::nullopt;
+  return dyadic_->scaled(entry, bits);
 }
 
 void ExactState::jump(std::int64_t steps) {
@@ -141,6 +179,7 @@ void ExactState::jump(std::int64_t steps) {
   frame_ += steps;
   words_.reset();
   room_ = 0;
+  in_dyadic_ = false;
   enter_words();
 }
 

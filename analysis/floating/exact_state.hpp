@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "analysis/floating/exact_dyadic.hpp"
 #include "analysis/floating/exact_pair.hpp"
 #include "analysis/floating/exact_plan.hpp"
 #include "analysis/floating/exact_step.hpp"
@@ -21,7 +22,8 @@ namespace shortfall {
 /// afterwards.
 ///
 /// Steps of long integers are not made before somebody looks: several at once, by a power of M whose entries
-/// still fit into words, cost hardly more than one.
+/// still fit into words, cost hardly more than one. Who looks at every frame of a dyadic step gets growing
+/// fixed point.
 class ExactState {
  public:
   explicit ExactState(const ExactStep& step);
@@ -37,12 +39,19 @@ class ExactState {
   bool in_words() const { return words_.has_value(); }
   /// The scaled state at this frame.
   const std::vector<mpz_class>& values();
-  /// Binary digits of the longest entry.
-  std::size_t bits();
+  /// Of an entry of the scaled state.
+  int sign(int entry);
+  /// An entry / D^n with so many certain bits at least, by its leading digits; nothing when it takes them all
+  /// to know.
+  std::optional<Ball> scaled(int entry, int bits);
 
  private:
   void apply(std::int64_t steps);
   bool add_power();
+  void apply_power(std::int64_t steps);
+  void step_dyadic();
+  void settle();  ///< makes the steps that are counted
+  void check_length(std::size_t limbs) const;
   void make_room();
   void enter_words();
   void leave_words();
@@ -58,6 +67,10 @@ class ExactState {
   std::int64_t seen_ = -1;  ///< the frame for which z_ is a copy of the words
   std::size_t room_ = 0;    ///< limbs that z_ and next_ have at least
   std::vector<mpz_class> z_, next_;
+  /// Where it is in use, z_ is a copy of it, for the frame `copied_`.
+  std::optional<ExactDyadic> dyadic_;
+  bool in_dyadic_ = false;
+  std::int64_t copied_ = -1;
 };
 
 /// No number of a trajectory may be longer, in binary digits (256 MB).
