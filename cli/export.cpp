@@ -18,10 +18,10 @@
 #include "cli/output_folder.hpp"
 #include "notebooks-export/code.hpp"
 #include "notebooks-export/code_kit.hpp"
+#include "notebooks-export/latex_text.hpp"
 #include "notebooks-export/notebook.hpp"
 #include "notebooks-export/page.hpp"
 #include "notebooks-export/page_document.hpp"
-#include "notebooks-export/result_text.hpp"
 
 namespace shortfall::cli {
 
