@@ -127,8 +127,10 @@ def _latex(node: ast.expr) -> "tuple[str, int]":
         if isinstance(node.op, ast.Mult):
             left, binding = _latex(node.left)  # a sign may lead a product
             left = left if binding >= 1 else f"\\left({left}\\right)"
-            return left + " \\, " + bound(node.right, 2), min(2, max(binding, 1))
+            return left + " \\, " + bound(node.right, 2), 1 if left.startswith("-") else 2
         if isinstance(node.op, ast.Div):
+            if isinstance(node.left, ast.UnaryOp):  # the sign stands before the fraction
+                return f"-\\frac{{{bound(node.left.operand, 2)}}}{{{_latex(node.right)[0]}}}", 1
             return f"\\frac{{{_latex(node.left)[0]}}}{{{_latex(node.right)[0]}}}", 3
         if isinstance(node.op, ast.Pow):
             return f"{bound(node.left, 3)}^{{{_latex(node.right)[0]}}}", 3

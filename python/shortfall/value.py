@@ -189,8 +189,8 @@ def _sum(op: str, left: Any, right: Any, word: str, joint: str) -> Value:
             return a
         if a.op == "number" and a.text == "0":
             return b if op == "add" else -b
-        first, second = (a, b) if joint == "to" else (b, a)
-        raise TraceError(f"cannot {word} a {first.sort} {joint} a {second.sort}")
+        # x + h adds h to x; x - h subtracts h from x.
+        raise TraceError(f"cannot {word} a {b.sort} {joint} a {a.sort}")
     return Value(op, (a, b), sort=a.sort)
 
 
