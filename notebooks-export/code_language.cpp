@@ -157,14 +157,17 @@ class Writer : public CodeWriter {
     if (value.is_integer()) return {whole(value.str()), kAtom};
     // A quotient rounds once only while both of its numbers are exact in binary32, or in binary64.
     const Rational exact = Rational(2).pow(wide_ ? 53 : 24);
-    if (value.numerator() > exact || value.denominator() > exact) return {whole(long_decimal(value)), kAtom};
+    // Compilers of C# may read a float as a double first: only its own nine digits round to it both ways.
+    const bool twice = language_ == Language::csharp && !wide_;
+    if (value.numerator() > exact || value.denominator() > exact)
+      return {whole(long_decimal(twice ? Rational::from_double(value.to_float()) : value, twice ? 9 : 25)),
+              kAtom};
     return {whole(value.numerator().str()) + " / " + whole(value.denominator().str()), kProduct};
   }
 
-  /// More digits than any of these languages' numbers hold.
-  static std::string long_decimal(const Rational& value) {
-    constexpr int kDigits = 25;
-    std::string text = value.significant(kDigits);
+  /// Usually more digits than any of these languages' numbers hold.
+  static std::string long_decimal(const Rational& value, int digits) {
+    std::string text = value.significant(digits);
     if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
     text.erase(text.find_last_not_of('0') + 1);
     return text.back() == '.' ? text + "0" : text;
