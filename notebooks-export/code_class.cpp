@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
+#include <set>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit.hpp"
@@ -56,11 +58,23 @@ Lines about(const Program& program, const Values& given, Language language) {
   return lines;
 }
 
-Lines constants(const std::vector<std::string>& names, const Values& values, Language language) {
+bool calls(const Expr& e) { return e->op == Expression::Op::call || std::ranges::any_of(e->operands, calls); }
+
+/// The parameters that occur, and those of which their defaults are made. A default is computed by its own
+/// operations where the language computes constants.
+Lines constants(std::set<std::string> needed, const Program& program, const Values& given,
+                const Values& values, Language language) {
+  for (auto p = program.parameters.rbegin(); p != program.parameters.rend(); ++p)
+    for (const Parameter& other : program.parameters)
+      if (needed.contains(p->name) && mentions(p->fallback, other.name)) needed.insert(other.name);
+  std::map<std::string, std::string> names;
   Lines lines;
-  for (const std::string& name : names) {
-    const std::string left = constant_identifier(name, language);
-    const std::string right = literal(values.at(name), language);
+  for (const Parameter& p : program.parameters) {
+    if (!needed.contains(p.name)) continue;
+    const std::string left = names[p.name] = constant_identifier(p.name, language);
+    const bool by_value = given.contains(p.name) || calls(p.fallback);
+    const std::string right =
+        by_value ? literal(values.at(p.name), language) : code(p.fallback, language, names);
     switch (language) {
       case Language::csharp:
         lines.push_back("private const float " + left + " = " + right + ";");
@@ -139,22 +153,24 @@ std::string integrator_code(const Program& whole, const Values& given, int subst
   std::string function = program.name;
   for (char& c : function)
     if (c == '-') c = '_';
-  return filled(class_template(language), {{"about", about(program, given, language)},
-                                           {"class", {cpp_class_name(program.name)}},
-                                           {"function", {function}},
-                                           {"constants", constants(step.parameters, values, language)},
-                                           {"members", member_lines},
-                                           {"states", declarations(states, language)},
-                                           {"fields", {joined(fields)}},
-                                           {"pack", pack},
-                                           {"unpack", unpack},
-                                           {"start", step.start},
-                                           {"step", step.step},
-                                           {"finish", step.finish},
-                                           {"position", {step.position}},
-                                           {"velocity", {step.velocity}},
-                                           {"x3", {decimal(check.x.back(), language)}},
-                                           {"v3", {decimal(check.v.back(), language)}}});
+  return filled(class_template(language),
+                {{"about", about(program, given, language)},
+                 {"class", {cpp_class_name(program.name)}},
+                 {"function", {function}},
+                 {"constants", constants({step.parameters.begin(), step.parameters.end()}, program, given,
+                                         values, language)},
+                 {"members", member_lines},
+                 {"states", declarations(states, language)},
+                 {"fields", {joined(fields)}},
+                 {"pack", pack},
+                 {"unpack", unpack},
+                 {"start", step.start},
+                 {"step", step.step},
+                 {"finish", step.finish},
+                 {"position", {step.position}},
+                 {"velocity", {step.velocity}},
+                 {"x3", {decimal(check.x.back(), language)}},
+                 {"v3", {decimal(check.v.back(), language)}}});
 }
 
 }  // namespace shortfall

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <set>
 
 #include "analysis/algebra/error.hpp"
@@ -69,6 +70,36 @@ std::vector<std::string> words_of(const std::string& name) {
 std::string capitalised(std::string word) {
   if (!word.empty()) word[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(word[0])));
   return word;
+}
+
+bool is_binary32_number(const Rational& value) { return Rational::from_double(value.to_float()) == value; }
+
+/// Compilers of C# compute constants in more digits than binary32 has. One operation on two numbers of
+/// binary32 comes out the same; whatever else is constant is replaced by its value, rounded operation by
+/// operation.
+Expr without_long_constants(const Expr& e) {
+  using Op = Expression::Op;
+  if (e->operands.empty()) return e;
+  auto copy = std::make_shared<Expression>(*e);
+  std::vector<float> values;
+  bool constant = e->op != Op::call && e->op != Op::force && e->op != Op::sum, exact = true;
+  for (Expr& operand : copy->operands) {
+    // Whether the operand is one constant is asked of what was written, not of what it has become.
+    exact = exact && operand->op == Op::number && is_binary32_number(operand->value);
+    operand = without_long_constants(operand);
+    const std::optional<Rational> value = literal_value(operand);
+    constant = constant && value;
+    if (value) values.push_back(value->to_float());
+  }
+  if (!constant || exact || e->op == Op::power) return copy;
+  const float a = values.front(), b = values.back();
+  const float result = e->op == Op::negate     ? -a
+                       : e->op == Op::add      ? a + b
+                       : e->op == Op::subtract ? a - b
+                       : e->op == Op::multiply ? a * b
+                                               : a / b;
+  if (!std::isfinite(result)) return copy;
+  return number(Rational::from_double(result));
 }
 
 /// The decimal a rational is, when it is a short one.
@@ -227,7 +258,7 @@ std::string constant_identifier(const std::string& name, Language language) {
 std::string literal(const Rational& value, Language language) { return code(number(value), language); }
 
 std::string code(const Expr& e, Language language, const std::map<std::string, std::string>& names) {
-  return Writer(language, names).text(e);
+  return Writer(language, names).text(language == Language::csharp ? without_long_constants(e) : e);
 }
 
 std::string code_in_binary64(const Expr& e, Language language,

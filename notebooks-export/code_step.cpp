@@ -193,7 +193,13 @@ class Printer {
     const std::string count = std::to_string(loop.times);
     const std::string number = ++blocks_ == 1 ? "" : std::to_string(blocks_);
     const std::string short_step = "substep" + number, counter = "i" + number;
-    const std::string outer = names["h"];
+    const std::string outer = names["h"], outer_time = names.try_emplace("t", "t").first->second;
+    const std::string time = "time" + number;
+    const bool clock = reads(loop.body, "t");  // inside, it is that of the substep
+    if (clock) {
+      out.push_back(indent(depth) + declaration(time, outer_time, true));
+      names["t"] = time;
+    }
     out.push_back(indent(depth) +
                   declaration(short_step, outer + " / " + literal(loop.times, language_), false));
     switch (language_) {
@@ -218,7 +224,11 @@ class Printer {
     }
     names["h"] = short_step;
     print(loop.body, whole, depth + 1, out);
+    if (clock)
+      out.push_back(indent(depth + 1) + time + " = " + time + " + " + short_step +
+                    (language_ == Language::gdscript || language_ == Language::python ? "" : ";"));
     names["h"] = outer;
+    names["t"] = outer_time;
     declared = outside;
     if (language_ != Language::gdscript && language_ != Language::python) out.push_back(indent(depth) + "}");
   }
@@ -279,6 +289,7 @@ CodeStep shaped(const Program& whole, const Values& parameters, Language languag
     carried_lines.insert(carried_lines.end(), {twice, twice});
   }
   printer.print(start, carried_lines, 0, result.start);
+  if (!loop) printer.declared.clear();  // a local of `start` is another one's
   printer.declared.insert(carried.begin(), carried.end());
   Lines frame = step;
   if (loop) frame.insert(frame.end(), finish.begin(), finish.end());
