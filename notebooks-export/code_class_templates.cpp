@@ -151,7 +151,7 @@ func self_check() -> bool:
 )code";
 
 constexpr std::string_view kPython = R"code(# @about@
-import math
+from math import exp, isclose, sqrt
 @constants@
 
 
@@ -185,7 +185,7 @@ def self_check():
     for _ in range(3):
         body.step()
     position, velocity = body.read_out()
-    return math.isclose(position, @x3@, abs_tol=1e-14) and math.isclose(velocity, @v3@, abs_tol=1e-14)
+    return isclose(position, @x3@, abs_tol=1e-14) and isclose(velocity, @v3@, abs_tol=1e-14)
 
 
 if __name__ == "__main__":

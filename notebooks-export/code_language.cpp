@@ -138,7 +138,7 @@ class Writer : public CodeWriter {
       case Language::cpp:
         return "std::" + name;
       case Language::gdscript:
-        return name == "max" || name == "min" ? name + "f" : name;
+        return name;
       case Language::python:
         return name;
       case Language::rust:
@@ -162,7 +162,7 @@ class Writer : public CodeWriter {
       case Language::javascript:
         return "Math." + name;
       case Language::gdscript:
-        return name == "max" || name == "min" ? name + "f" : name;
+        return name;
     }
     return {};
   }

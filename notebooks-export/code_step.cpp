@@ -159,8 +159,12 @@ class Printer {
         if (vectors) return (again ? "auto " : "const auto ") + target + " = " + value + ";";
         return (again ? "float " : "const float ") + target + " = " + value + ";";
       case Language::gdscript:
-        // What a force of the caller's returns may have no type to infer.
-        return "var " + target + (vectors ? " = " : " := ") + value;
+        // What a force of the caller's returns may have no type to infer; nor have max and min in Godot 4.
+        return "var " + target +
+               (vectors                                            ? " = "
+                : value.find("max(") + 1 || value.find("min(") + 1 ? ": float = "
+                                                                   : " := ") +
+               value;
       case Language::python:
         return target + " = " + value;
       case Language::rust:

@@ -226,7 +226,7 @@ TEST_CASE("integrators as classes of GDScript") {
   }
   folder.write("main.gd", main);
   folder.write("project.godot", "config_version=4\n");
-  std::string text = folder.output("HOME=. godot3-server --no-window --script main.gd");
+  std::string text = folder.output("HOME=. timeout 60 godot3-server --no-window --script main.gd");
   // Behind its banner.
   for (std::size_t end = 0; !text.empty() && !text.starts_with("0300"); text.erase(0, end))
     end = text.find('\n') + 1;
