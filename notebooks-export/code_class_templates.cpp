@@ -147,7 +147,7 @@ func self_check() -> bool:
 	for _k in range(3):
 		step()
 	var shown := read_out()
-	return abs(shown[0] - @x3@) <= 1e-14 and abs(shown[1] - @v3@) <= 1e-14
+	return abs(shown[0] - @x3@) <= 2e-6 and abs(shown[1] - @v3@) <= 2e-6
 )code";
 
 constexpr std::string_view kPython = R"code(# @about@
