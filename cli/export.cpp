@@ -4,6 +4,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit.hpp"
 #include "cli/command.hpp"
+#include "cli/export_lesson.hpp"
 #include "cli/force.hpp"
 #include "cli/output.hpp"
 #include "notebooks-export/notebook.hpp"
@@ -32,10 +33,12 @@ int export_derivation(const Question& q, bool as_notebook) {
 
 void add_export(CLI::App& app, int& code) {
   CLI::App* command = new_command(
-      app, "Start here", "export", "A derivation to keep: a notebook that asserts its own claims, or LaTeX.",
+      app, "Start here", "export",
+      "A derivation to keep: a notebook that asserts its own claims, or LaTeX; lessons for a class.",
       {"export symplectic-euler --force constant --notebook -o falling-short.ipynb",
        "export newmark --force poly:2 --param beta=1/6 --notebook -o newmark.ipynb",
-       "export my-own.integrator --force poly:1 --latex -o my-own.tex"});
+       "export my-own.integrator --force poly:1 --latex -o my-own.tex",
+       "export lesson:falling-short --exercise -o lesson/"});
   auto q = std::make_shared<Question>();
   auto as_notebook = std::make_shared<bool>(false);
   add_integrator(*command, *q);
@@ -45,7 +48,11 @@ void add_export(CLI::App& app, int& code) {
                     "a Jupyter notebook; its cells need Python 3 and nothing else");
   command->add_flag("--latex", q->latex, "LaTeX (amsmath)");
   add_output(*command, *q);
-  command->callback([q, as_notebook, &code] { code = export_derivation(*q, *as_notebook); });
+  const auto lesson = add_lesson_options(*command);
+  command->callback([q, as_notebook, lesson, &code] {
+    code = is_lesson(q->integrator, *lesson) ? export_lesson(q->integrator, q->output, *lesson)
+                                             : export_derivation(*q, *as_notebook);
+  });
 }
 
 }  // namespace shortfall::cli

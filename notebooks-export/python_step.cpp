@@ -119,13 +119,13 @@ std::string joined(const std::vector<std::string>& words) {
 
 constexpr int kRootDigits = 20;  // not used: irrational coefficients are refused below
 
-PythonStep::PythonStep(const Program& program, const Values& given, int substeps)
+PythonStep::PythonStep(const Program& program, const Values& given, int substeps, PythonFunctions functions)
     : program_(with_numbers(undisturbed(substepped(program, substeps)), kRootDigits)),
       values_(parameter_values(program, given)),
       substeps_(substeps) {
   for (const auto* block : {&program_.start, &program_.step, &program_.finish})
     each_expression(*block, [&](const Expr& e) {
-      if (mentions_call(e))
+      if (functions == PythonFunctions::refused && mentions_call(e))
         throw Unable("a notebook computes with fractions, and the step of " + program.name +
                      " calls a function: " + print(e));
     });

@@ -11,6 +11,9 @@
 
 namespace shortfall {
 
+/// Whether a step may call functions: then it computes with fractions only as far as those do.
+enum class PythonFunctions { refused, called };
+
 /// An integrator as Python functions start, step and finish that compute exactly, with fractions.Fraction.
 ///
 ///   def step(x, v, STATES, t, h, a, PARAMETERS): ... return x, v, STATES
@@ -21,7 +24,8 @@ class PythonStep {
  public:
   /// param   substeps  how many steps of h / substeps the function `step` takes
   /// throws  BadInput  for a value of an unknown parameter
-  PythonStep(const Program& program, const Values& given, int substeps);
+  PythonStep(const Program& program, const Values& given, int substeps,
+             PythonFunctions functions = PythonFunctions::refused);
   PythonStep(const PythonStep&) = delete;
   PythonStep& operator=(const PythonStep&) = delete;
 
