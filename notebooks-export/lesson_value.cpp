@@ -39,7 +39,7 @@ struct Words {
     if (i >= plain.size()) throw BadInput("'" + plain.front() + "' wants more words");
     return plain[i];
   }
-  int count(std::size_t i) const { return static_cast<int>(Rational(at(i)).to_double()); }
+  int count(std::size_t i) const { return static_cast<int>(Rational::parse(at(i)).to_double()); }
 };
 
 Words split(const std::string& text) {
@@ -50,7 +50,7 @@ Words split(const std::string& text) {
     if (sign == std::string::npos)
       words.plain.push_back(word);
     else
-      words.given[word.substr(0, sign)] = Rational(word.substr(sign + 1));
+      words.given[word.substr(0, sign)] = Rational::parse(word.substr(sign + 1));
   }
   if (words.plain.empty()) throw BadInput("there is no word in it");
   return words;
@@ -107,7 +107,7 @@ std::string sources(const Words& w) {
 
 /// jump INTEGRATOR HEIGHT WHAT PLACES: a number of a jump, metres; WHAT:cm and WHAT:mm for other units.
 std::string jump_number(const Words& w) {
-  const Jump j = jump(find_integrator(w.at(1)), {Rational(w.at(2)), kFrame, kGravity, 1, w.given, 0});
+  const Jump j = jump(find_integrator(w.at(1)), {Rational::parse(w.at(2)), kFrame, kGravity, 1, w.given, 0});
   std::string what = w.at(3);
   Surd scale(1);
   for (const auto& [ending, factor] : {std::pair{std::string(":cm"), 100}, {std::string(":mm"), 1000}}) {
@@ -219,8 +219,8 @@ std::string modified_lines(const Words& w) {
 /// clock DT STEPS WHAT [DIGITS]: what an accumulator in binary32 holds, is short by, and where it stops.
 std::string clock_number(const Words& w) {
   ClockQuestion question;
-  question.dt = Rational(w.at(1));
-  question.additions = Rational(w.at(2));
+  question.dt = Rational::parse(w.at(1));
+  question.additions = Rational::parse(w.at(2));
   const ClockReport r = clock_report(question);
   if (!r.freezes) throw BadInput("this clock does not stop");
   const Rational value = chosen<Rational>(w.at(3), {{"value", r.value.value()},
