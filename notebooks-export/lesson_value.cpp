@@ -76,13 +76,20 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 /// step INTEGRATOR [FUNCTION]: def FUNCTION(x, v, ..., t, h, a): one step; FUNCTION_start where it needs one.
 std::string step(const Words& w) {
   const Program program = find_integrator(w.at(1));
-  const PythonStep python(program, w.given, 1, PythonFunctions::called);
+  const PythonStep python(program, w.given, 1, PythonUse::alone);
   const std::string name = w.plain.size() > 2 ? w.plain[2] : replaced(program.name, "-", "_");
-  std::string text = python.solver().empty() ? "" : python.solver() + "\n\n";
-  text += python.functions();
+  std::string text = python.functions();
   text = replaced(text, "def start(", "def " + name + "_start(");
   text = replaced(text, "def step(", "def " + name + "(");
   text = replaced(text, "def finish(", "def " + name + "_finish(");
+  while (text.ends_with('\n')) text.pop_back();
+  return text;
+}
+
+/// solver INTEGRATOR: what an implicit step calls for its stages.
+std::string solver(const Words& w) {
+  std::string text = PythonStep(find_integrator(w.at(1)), w.given, 1, PythonUse::alone).solver();
+  if (text.empty()) throw BadInput("this step is explicit and solves nothing");
   while (text.ends_with('\n')) text.pop_back();
   return text;
 }
@@ -251,6 +258,7 @@ std::string damping_of(const Words& w) {
 std::string lesson_value(const std::string& words) {
   const Words w = split(words);
   return chosen<std::string (*)(const Words&)>(w.plain.front(), {{"step", step},
+                                                                 {"solver", solver},
                                                                  {"program", program},
                                                                  {"sources", sources},
                                                                  {"jump", jump_number},
