@@ -114,7 +114,8 @@ class Reader {
     if (lesson_.cells.empty()) return;
     LessonCell& cell = lesson_.cells.back();
     std::string& s = cell.source;
-    s.erase(0, std::min(s.find_first_not_of('\n'), s.size()));
+    const std::size_t blank = std::min(s.find_first_not_of('\n'), s.size());
+    s.erase(0, blank);
     while (s.ends_with('\n')) s.pop_back();
     if (s.empty()) fail("this cell is empty", cell.line);
     if (cell.kind == Kind::solution || cell.kind == Kind::answer) {
@@ -125,6 +126,7 @@ class Reader {
     } else if (s.find("### BEGIN SOLUTION") != std::string::npos) {
       fail("only cells 'solution' and 'answer' hold an answer", cell.line);
     }
+    cell.line += 1 + static_cast<int>(blank);  // from now on that of its first words
   }
 
   std::string_view text_;

@@ -21,7 +21,7 @@ struct LessonCell {
   std::string slide;  ///< slide, subslide, fragment, notes, skip; or empty
   int points = 0;     ///< of a check or an answer
   std::string source;
-  int line = 0;  ///< where it begins in its file
+  int line = 0;  ///< where its source begins in its file
 };
 
 /// A lesson for a class: text, cells that assert what the text says, exercises with their solutions.
