@@ -32,6 +32,7 @@
 #include "analysis/program/parse.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/run.hpp"
+#include "analysis/program/traced.hpp"
 #include "analysis/program/transform.hpp"
 #include "analysis/series/splitting_corrector.hpp"
 #include "analysis/series/splitting_report.hpp"

@@ -12,6 +12,7 @@
 #include "cli/force.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
+#include "notebooks-export/latex_text.hpp"
 #include "notebooks-export/linear_text.hpp"
 #include "notebooks-export/result_json.hpp"
 #include "notebooks-export/result_text.hpp"

@@ -67,16 +67,14 @@ std::shared_ptr<LessonOptions> add_lesson_options(CLI::App& command) {
   command.add_flag("--lessons", options->list,
                    "the lessons that there are; lesson:NAME in place of INTEGRATOR exports one");
   command.add_flag("--exercise", options->exercise, "a lesson without the answers, for pupils");
-  command.add_flag("--overwrite", options->overwrite, "a lesson's files that are there already are replaced");
   command.add_flag("--json", options->json, "the list of lessons as JSON");
   return options;
 }
 
 bool is_lesson(const std::string& word, const LessonOptions& options) {
   if (options.list || word.starts_with(kPrefix)) return true;
-  if (options.exercise || options.overwrite || options.json)
-    throw BadInput(
-        "--exercise, --overwrite and --json belong to lessons: export lesson:NAME, export --lessons");
+  if (options.exercise || options.json)
+    throw BadInput("--exercise and --json belong to lessons: export lesson:NAME, export --lessons");
   return false;
 }
 

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <functional>
 #include <memory>
 
 #include "analysis/algebra/error.hpp"
@@ -14,6 +15,8 @@
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
 #include "notebooks-export/code.hpp"
+#include "notebooks-export/figure_gnuplot.hpp"
+#include "notebooks-export/figure_jump.hpp"
 
 namespace shortfall::cli {
 
@@ -23,6 +26,7 @@ struct JumpOptions : Question {
   std::string height;
   std::string language;
   std::string launch = "velocity";
+  std::string plot;
   bool all_engines = false;
   FrameOptions frames;
 
@@ -117,6 +121,23 @@ void jump_of_engines(JumpOptions o, const std::vector<Rational>& heights) {
     write_output(o.csv ? engines_csv(jumps) : engines_text(jumps, {unit_of(o.height), o.ascii}), o.output);
 }
 
+/// The jump at the usual frame rates, and at the one asked for.
+void draw(const JumpOptions& o, const Rational& height) {
+  const ImageFormat format = image_format(o.plot);
+  if (o.by() != LaunchBy::velocity) throw BadInput("--plot draws jumps that are launched by their velocity");
+  std::vector<Rational> steps{Rational(1, 30), Rational(1, 60), Rational(1, 120)};
+  if (std::ranges::find(steps, o.step()) == steps.end()) steps.push_back(o.step());
+  std::ranges::sort(steps, std::greater<>());
+  std::vector<Flight> flights;
+  for (const Rational& dt : steps) flights.emplace_back(o.program(), dt, o.substeps(), o.values());
+  try {
+    write_output(image(jump_figure(flights, height, o.gravity()), format), o.plot);
+  } catch (const ProgramError& e) {
+    throw OutputError(e.what());
+  }
+  say("wrote " + o.plot);
+}
+
 void jump(const JumpOptions& o) {
   const bool listed = !o.frames.file.empty();
   if (o.height.empty() && (listed || o.language.empty()))
@@ -128,6 +149,11 @@ void jump(const JumpOptions& o) {
     throw BadInput("--dt-file sets the velocity: no --launch " + o.launch);
   if (!o.language.empty() && o.by() == LaunchBy::force)
     throw BadInput("--lang writes code that sets the velocity: no --launch force");
+  if (!o.plot.empty()) {
+    if (listed || o.all_engines || heights.size() != 1)
+      throw BadInput("--plot draws one jump: one --height, no sweep, no --dt-file, no --all-engines");
+    draw(o, heights.front());
+  }
   if (listed) return jump_over_frames(o, heights);
   if (o.all_engines) return jump_of_engines(o, heights);
   const Rational g = o.gravity();
@@ -158,7 +184,7 @@ void add_jump(CLI::App& app, int&) {
        "jump symplectic-euler --height 1.7m --substeps 4", "jump --height 1mm:100m:log:50 --csv",
        "jump godot --height 10m --param c=0.1", "jump rapier --height 1.7 --substeps 8",
        "jump rapier --height 1.7 --launch force:5", "jump --all-engines --height 1.7",
-       "jump --height 1.7 --dt-file frames.csv", "jump --lang csharp"});
+       "jump --height 1.7 --dt-file frames.csv", "jump --lang csharp", "jump --height 1.7 --plot jump.svg"});
   auto o = std::make_shared<JumpOptions>();
   add_integrator(*command, *o);
   command->add_option("--height", o->height, "the height to jump to: 40cm, 1.7, or a sweep 1mm:100m:log:50")
@@ -195,6 +221,11 @@ void add_jump(CLI::App& app, int&) {
       ->excludes("--param")
       ->excludes("--dt-file")
       ->excludes("--lang");
+  command
+      ->add_option(
+          "--plot", o->plot,
+          "draw it at 30, 60, 120 Hz and --dt (needs gnuplot): a file that ends in .svg, .png or .pdf")
+      ->type_name("FILE");
   add_json(*command, *o);
   command->add_flag(
       "--csv", o->csv,

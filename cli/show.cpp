@@ -1,13 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "analysis/algebra/error.hpp"
 #include "analysis/motion/agreement.hpp"
 #include "analysis/program/print.hpp"
+#include "analysis/program/suggest.hpp"
 #include "analysis/program/version.hpp"
 #include "analysis/stability/stability_claims.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "notebooks-export/code_class.hpp"
 
 namespace shortfall::cli {
 
@@ -20,7 +25,20 @@ std::string holding(const ClaimVerdict& v) {
   return v.digits == 0 ? "holds" : "holds to " + std::to_string(v.digits) + " digits";
 }
 
+int show_code(const Question& q, const std::string& word) {
+  if (q.json) throw BadInput("--lang and --json exclude each other");
+  const auto language = language_named(word);
+  if (!language)
+    throw BadInput("--lang '" + word.substr(0, 60) + "': we write " +
+                   fmt::format("{}", fmt::join(language_names(), ", ")) +
+                   did_you_mean(word, language_names()));
+  write_output(integrator_code(q.program(), q.values(), q.substeps(), *language), q.output);
+  return kDone;
+}
+
 int show(const Question& q) {
+  if (!q.parameters.empty() || q.substep_count)
+    throw BadInput("--param and --substeps go with --lang: without it the file is shown as it is written");
   const Program program = q.program();
   const std::vector<ClaimVerdict> verdicts = all_claims(program);
   bool all_hold = true;
@@ -38,7 +56,7 @@ int show(const Question& q) {
                                 {"found", v.found},
                                 {"digits", v.digits},
                                 {"proved", v.proved()}});
-    write_output(json.dump(2) + "\n");
+    write_output(json.dump(2) + "\n", q.output);
   } else {
     std::string text = print(program);
     if (!verdicts.empty())
@@ -47,7 +65,7 @@ int show(const Question& q) {
                   : "\n# What it claims, proved just now:\n";
     for (const ClaimVerdict& v : verdicts)
       text += "#   " + v.claim + (v.holds ? ": " + holding(v) : ": REFUTED, found " + v.found) + "\n";
-    write_output(text);
+    write_output(text, q.output);
   }
   return all_hold ? kDone : kRefuted;
 }
@@ -56,13 +74,22 @@ int show(const Question& q) {
 
 void add_show(CLI::App& app, int& code) {
   CLI::App* command =
-      new_command(app, "Set-up", "show", "One integrator: its file, and whether its claims hold.",
-                  {"show symplectic-euler", "show rapier@0.21", "show my-own.integrator"});
+      new_command(app, "Set-up", "show",
+                  "One integrator: its file, and whether its claims hold; or as a class of another language.",
+                  {"show symplectic-euler", "show velocity-verlet --lang csharp", "show rapier@0.21",
+                   "show my-own.integrator"});
   auto q = std::make_shared<Question>();
   add_integrator(*command, *q);
   command->get_option("INTEGRATOR")->required();
+  auto language = std::make_shared<std::string>();
+  command
+      ->add_option("--lang", *language,
+                   "as a class that steps a body: csharp, cpp, gdscript, python, rust, javascript")
+      ->type_name("L");
+  add_parameters(*command, *q);
   add_json(*command, *q);
-  command->callback([q, &code] { code = show(*q); });
+  add_output(*command, *q);
+  command->callback([q, language, &code] { code = language->empty() ? show(*q) : show_code(*q, *language); });
 }
 
 }  // namespace shortfall::cli

@@ -19,7 +19,7 @@ namespace shortfall::cli {
 namespace {
 
 struct TradeOptions {
-  std::string scene, integrators, formats, steps, until, plot, store, output;
+  std::string scene, integrators, formats, steps, until, plot, html, store, output;
   int repeats = 10;
   bool no_peers = false, no_launches = false, json = false, csv = false;
 };
@@ -61,6 +61,10 @@ int trade_on(const Machines& machines, const TradeOptions& o) {
     }
     say("wrote " + o.plot);
   }
+  if (!o.html.empty()) {
+    write_output(trade_page(result, "shortfall trade " + o.scene + " --html " + o.html), o.html);
+    say("wrote " + o.html);
+  }
   write_output(o.json ? as_json(result).dump(2) + "\n" : o.csv ? as_csv(result) : as_text(result), o.output);
   return kDone;
 }
@@ -82,7 +86,8 @@ void add_trade(CLI::App& app, int& code) {
       app, "Scenes", "trade", "Accuracy against speed: errors in a scene's own terms, beside what they cost.",
       {"trade scenes/kepler.toml",
        "trade scenes/grenade.toml --integrators symplectic-euler,velocity-verlet,rk4 --csv",
-       "trade scenes/swing.toml --formats f32,f64 --plot trade.svg"});
+       "trade scenes/swing.toml --formats f32,f64 --plot trade.svg",
+       "trade scenes/kepler.toml --html trade.html"});
   auto o = std::make_shared<TradeOptions>();
   command->add_option("SCENE", o->scene, "a scene's file; see docs/scenes.md")->required();
   command->add_option("--integrators", o->integrators, "names, separated by commas")->type_name("LIST");
@@ -98,6 +103,8 @@ void add_trade(CLI::App& app, int& code) {
   command->add_flag("--json", o->json, "as JSON");
   command->add_flag("--csv", o->csv, "every point, one a line");
   command->add_option("--plot", o->plot, "draw it (needs gnuplot): a file that ends in .svg, .png or .pdf")
+      ->type_name("FILE");
+  command->add_option("--html", o->html, "write a page: the answer, the drawing, every point")
       ->type_name("FILE");
   command
       ->add_option("--store", o->store,

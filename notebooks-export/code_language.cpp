@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cmath>
 #include <set>
 
 #include "analysis/algebra/error.hpp"
@@ -71,6 +72,36 @@ std::string capitalised(std::string word) {
   return word;
 }
 
+bool is_binary32_number(const Rational& value) { return Rational::from_double(value.to_float()) == value; }
+
+/// Compilers of C# compute constants in more digits than binary32 has. One operation on two numbers of
+/// binary32 comes out the same; whatever else is constant is replaced by its value, rounded operation by
+/// operation.
+Expr without_long_constants(const Expr& e) {
+  using Op = Expression::Op;
+  if (e->operands.empty()) return e;
+  auto copy = std::make_shared<Expression>(*e);
+  std::vector<float> values;
+  bool constant = e->op != Op::call && e->op != Op::force && e->op != Op::sum, exact = true;
+  for (Expr& operand : copy->operands) {
+    // Whether the operand is one constant is asked of what was written, not of what it has become.
+    exact = exact && operand->op == Op::number && is_binary32_number(operand->value);
+    operand = without_long_constants(operand);
+    const std::optional<Rational> value = literal_value(operand);
+    constant = constant && value;
+    if (value) values.push_back(value->to_float());
+  }
+  if (!constant || exact || e->op == Op::power) return copy;
+  const float a = values.front(), b = values.back();
+  const float result = e->op == Op::negate     ? -a
+                       : e->op == Op::add      ? a + b
+                       : e->op == Op::subtract ? a - b
+                       : e->op == Op::multiply ? a * b
+                                               : a / b;
+  if (!std::isfinite(result)) return copy;
+  return number(Rational::from_double(result));
+}
+
 /// The decimal a rational is, when it is a short one.
 std::optional<std::string> short_decimal(const Rational& value) {
   Rational scaled = value;
@@ -107,7 +138,7 @@ class Writer : public CodeWriter {
       case Language::cpp:
         return "std::" + name;
       case Language::gdscript:
-        return name == "max" || name == "min" ? name + "f" : name;
+        return name;
       case Language::python:
         return name;
       case Language::rust:
@@ -131,7 +162,7 @@ class Writer : public CodeWriter {
       case Language::javascript:
         return "Math." + name;
       case Language::gdscript:
-        return name == "max" || name == "min" ? name + "f" : name;
+        return name;
     }
     return {};
   }
@@ -157,14 +188,17 @@ class Writer : public CodeWriter {
     if (value.is_integer()) return {whole(value.str()), kAtom};
     // A quotient rounds once only while both of its numbers are exact in binary32, or in binary64.
     const Rational exact = Rational(2).pow(wide_ ? 53 : 24);
-    if (value.numerator() > exact || value.denominator() > exact) return {whole(long_decimal(value)), kAtom};
+    // Compilers of C# may read a float as a double first: only its own nine digits round to it both ways.
+    const bool twice = language_ == Language::csharp && !wide_;
+    if (value.numerator() > exact || value.denominator() > exact)
+      return {whole(long_decimal(twice ? Rational::from_double(value.to_float()) : value, twice ? 9 : 25)),
+              kAtom};
     return {whole(value.numerator().str()) + " / " + whole(value.denominator().str()), kProduct};
   }
 
-  /// More digits than any of these languages' numbers hold.
-  static std::string long_decimal(const Rational& value) {
-    constexpr int kDigits = 25;
-    std::string text = value.significant(kDigits);
+  /// Usually more digits than any of these languages' numbers hold.
+  static std::string long_decimal(const Rational& value, int digits) {
+    std::string text = value.significant(digits);
     if (text.find('.') == std::string::npos || text.find('e') != std::string::npos) return text;
     text.erase(text.find_last_not_of('0') + 1);
     return text.back() == '.' ? text + "0" : text;
@@ -224,7 +258,7 @@ std::string constant_identifier(const std::string& name, Language language) {
 std::string literal(const Rational& value, Language language) { return code(number(value), language); }
 
 std::string code(const Expr& e, Language language, const std::map<std::string, std::string>& names) {
-  return Writer(language, names).text(e);
+  return Writer(language, names).text(language == Language::csharp ? without_long_constants(e) : e);
 }
 
 std::string code_in_binary64(const Expr& e, Language language,

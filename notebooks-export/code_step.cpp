@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 #include <set>
+#include <utility>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/transform.hpp"
@@ -89,7 +90,7 @@ bool pruned(Lines& lines, const std::function<bool(const std::string&)>& is_read
 }
 
 /// `finish` may assign x and v, but only for the reader: what it assigns gets names of its own.
-std::string rename_finish(Lines& finish, const std::set<std::string>& carried) {
+std::pair<std::string, std::string> rename_finish(Lines& finish, const std::set<std::string>& carried) {
   std::map<std::string, std::string> seen;
   for (Line& l : finish) {
     if (l.name.empty()) throw Unable("substeps in `finish` cannot be written as code");
@@ -99,7 +100,7 @@ std::string rename_finish(Lines& finish, const std::set<std::string>& carried) {
       l.name += "_seen";
     }
   }
-  return seen.contains("x") ? seen["x"] : "x";
+  return {seen.contains("x") ? seen["x"] : "x", seen.contains("v") ? seen["v"] : "v"};
 }
 
 /// Keeps of statements without repetitions only what is needed after them: such a name, or what leads to one.
@@ -158,7 +159,12 @@ class Printer {
         if (vectors) return (again ? "auto " : "const auto ") + target + " = " + value + ";";
         return (again ? "float " : "const float ") + target + " = " + value + ";";
       case Language::gdscript:
-        return "var " + target + " := " + value;
+        // What a force of the caller's returns may have no type to infer; nor have max and min in Godot 4.
+        return "var " + target +
+               (vectors                                            ? " = "
+                : value.find("max(") + 1 || value.find("min(") + 1 ? ": float = "
+                                                                   : " := ") +
+               value;
       case Language::python:
         return target + " = " + value;
       case Language::rust:
@@ -191,7 +197,13 @@ class Printer {
     const std::string count = std::to_string(loop.times);
     const std::string number = ++blocks_ == 1 ? "" : std::to_string(blocks_);
     const std::string short_step = "substep" + number, counter = "i" + number;
-    const std::string outer = names["h"];
+    const std::string outer = names["h"], outer_time = names.try_emplace("t", "t").first->second;
+    const std::string time = "time" + number;
+    const bool clock = reads(loop.body, "t");  // inside, it is that of the substep
+    if (clock) {
+      out.push_back(indent(depth) + declaration(time, outer_time, true));
+      names["t"] = time;
+    }
     out.push_back(indent(depth) +
                   declaration(short_step, outer + " / " + literal(loop.times, language_), false));
     switch (language_) {
@@ -216,7 +228,11 @@ class Printer {
     }
     names["h"] = short_step;
     print(loop.body, whole, depth + 1, out);
+    if (clock)
+      out.push_back(indent(depth + 1) + time + " = " + time + " + " + short_step +
+                    (language_ == Language::gdscript || language_ == Language::python ? "" : ";"));
     names["h"] = outer;
+    names["t"] = outer_time;
     declared = outside;
     if (language_ != Language::gdscript && language_ != Language::python) out.push_back(indent(depth) + "}");
   }
@@ -228,7 +244,12 @@ class Printer {
 
 }  // namespace
 
-CodeStep code_step(const Program& whole, const Values& parameters, Language language, ForceInCode force) {
+namespace {
+
+enum class Shape { loop, locals, members };
+
+CodeStep shaped(const Program& whole, const Values& parameters, Language language, ForceInCode force,
+                Shape shape) {
   constexpr int kDigits = 20;  // more than any of these languages' numbers hold
   const Program program = with_numbers(undisturbed(whole), kDigits);
   Lines start = lines_of(program.start, parameters, force);
@@ -236,11 +257,12 @@ CodeStep code_step(const Program& whole, const Values& parameters, Language lang
   Lines finish = lines_of(program.finish, parameters, force);
   std::set<std::string> carried{"x", "v"};
   for (const State& s : program.states) carried.insert(s.name);
-  const std::string position = rename_finish(finish, carried);
+  const bool loop = shape == Shape::loop;
+  const auto [position, velocity] = rename_finish(finish, carried);
 
-  keep_for({position}, finish);
-  const auto read_by_frame = [&](const std::string& n) {
-    return n == "x" || n == position || reads(step, n) || reads(finish, n);
+  keep_for(loop ? std::set<std::string>{position} : std::set<std::string>{position, velocity}, finish);
+  const auto read_by_frame = [&, position = position](const std::string& n) {
+    return n == "x" || n == position || (!loop && carried.contains(n)) || reads(step, n) || reads(finish, n);
   };
   while (pruned(step, read_by_frame)) {
   }
@@ -262,6 +284,7 @@ CodeStep code_step(const Program& whole, const Values& parameters, Language lang
   }
   // Carried vectors and what `start` assigns live outside the loop over frames.
   printer.declared = {"x", "v"};
+  if (shape == Shape::members) printer.declared = carried;
   Lines carried_lines = start;
   for (const Lines* lines : {&step, &finish})
     carried_lines.insert(carried_lines.end(), lines->begin(), lines->end());
@@ -270,13 +293,30 @@ CodeStep code_step(const Program& whole, const Values& parameters, Language lang
     carried_lines.insert(carried_lines.end(), {twice, twice});
   }
   printer.print(start, carried_lines, 0, result.start);
+  if (!loop) printer.declared.clear();  // a local of `start` is another one's
   printer.declared.insert(carried.begin(), carried.end());
   Lines frame = step;
-  frame.insert(frame.end(), finish.begin(), finish.end());
+  if (loop) frame.insert(frame.end(), finish.begin(), finish.end());
   printer.print(frame, frame, 0, result.step);
+  if (!loop) {
+    printer.declared = carried;
+    printer.print(finish, finish, 0, result.finish);
+  }
   result.velocity_changes = Printer::assignments(start, "v") + Printer::assignments(step, "v") > 0;
   result.position = identifier(position, language);
+  result.velocity = identifier(velocity, language);
   return result;
+}
+
+}  // namespace
+
+CodeStep code_step(const Program& program, const Values& parameters, Language language, ForceInCode force) {
+  return shaped(program, parameters, language, force, Shape::loop);
+}
+
+CodeStep code_step_of_class(const Program& program, const Values& parameters, Language language,
+                            bool members) {
+  return shaped(program, parameters, language, ForceInCode::called, members ? Shape::members : Shape::locals);
 }
 
 }  // namespace shortfall

@@ -24,6 +24,8 @@ struct CodeStep {
   bool velocity_changes = true;    ///< whether v is ever assigned
   std::string position;            ///< what holds the position that is reported after it
   std::vector<std::string> parameters;  ///< names of the parameters that occur
+  std::vector<std::string> finish;      ///< of a step for a class: what is reported, when that is not x and v
+  std::string velocity;                 ///< of a step for a class: what holds the velocity that is reported
 };
 
 /// Under a constant acceleration (ForceInCode::constant) the places where the force is evaluated do not
@@ -32,5 +34,13 @@ struct CodeStep {
 /// throws  Unable  when a stage stays implicit, or the step reads the clock under a constant force
 CodeStep code_step(const Program& program, const Values& parameters, Language language,
                    ForceInCode force = ForceInCode::constant);
+
+/// The step for a class that calls the force and carries x, v, t, dt and the states: `start` gives the states
+/// their values, `finish` stands apart, and both x and v are reported.
+///
+/// param   members  x, v and the states are known by their names everywhere, and not declared in `start`
+/// throws  Unable  when a stage stays implicit
+CodeStep code_step_of_class(const Program& program, const Values& parameters, Language language,
+                            bool members);
 
 }  // namespace shortfall

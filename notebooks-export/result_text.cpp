@@ -133,33 +133,4 @@ std::string as_text(const Derivation& d, const CorrectionKit* kit, Style style) 
   return text + ".\n";
 }
 
-std::string as_latex(const Derivation& d, const CorrectionKit* kit) {
-  std::string text = "% " + d.integrator + ", " + force_words(d, Style::language) + "; needs amsmath\n";
-  text += "\\begin{align*}\n";
-  std::string last;
-  for (const DerivationStep& s : d.steps) {
-    const std::string left = print(s.left, Style::latex);
-    text += "  " + (left == last ? std::string() : left) + " &= " + print(s.right, Style::latex) +
-            " && \\text{" + s.why + "} \\\\\n";
-    last = left;
-  }
-  text += "\\end{align*}\n";
-  if (!kit) return text;
-  if (!kit->needed) return text + "Nothing to correct: position and velocity are exact.\n";
-  for (const CorrectionOption& o : kit->options) {
-    text += "\\paragraph{" + o.name + "} ";
-    if (!o.exists) {
-      text += "does not exist.\n";
-      continue;
-    }
-    text += "exact for every $n$:\n\\begin{align*}\n";
-    for (const Correction& c : o.corrections)
-      text += "  \\text{" + std::string(kind_name(c.kind)) + "}\\colon\\quad " +
-              print(name(c.target), Style::latex) + " &\\mathrel{+}= " + print(c.add, Style::latex) +
-              " \\\\\n";
-    text += "\\end{align*}\n";
-  }
-  return text;
-}
-
 }  // namespace shortfall

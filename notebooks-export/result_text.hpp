@@ -16,9 +16,6 @@ std::string as_text(const Derivation& derivation, const CorrectionKit* kit, Styl
 /// The correction kit alone.
 std::string as_text(const CorrectionKit& kit, const Derivation& derivation, Style style);
 
-/// A derivation as LaTeX: a section with align environments (amsmath).
-std::string as_latex(const Derivation& derivation, const CorrectionKit* kit);
-
 /// A formula for a terminal or a file, with its quantity in front: "x(n) = x₀ + v₀ t + ½ a t²".
 std::string line(const std::string& left, const Expr& right, Style style);
 

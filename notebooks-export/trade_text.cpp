@@ -73,6 +73,36 @@ std::string error_text(double value, const std::string& unit) {
   return number("%.3g", value) + (unit.empty() ? "" : " " + unit);
 }
 
+CheapestPoints cheapest_points(const Trade& trade) {
+  CheapestPoints table;
+  table.rows = {{"", "step", "steps", "evaluations", trade.timed ? "time" : "cost"}};
+  for (const SceneObservable& o : trade.scene.observables) {
+    table.rows[0].push_back(o.name);
+    table.rows[0].emplace_back("order");
+  }
+  const auto best = cheapest(trade);
+  for (std::size_t s = 0; s < trade.series.size(); ++s) {
+    const TradeSeries& series = trade.series[s];
+    const SceneOutcome* least = nullptr;
+    for (const SceneOutcome& o : series.points)
+      if (o.meets(trade.scene) && (!least || cost(trade, o) < cost(trade, *least))) least = &o;
+    if (!least) {
+      table.unable.push_back(series.label);
+      continue;
+    }
+    const bool is_best = best && best->series == s;
+    std::vector<std::string> row{(is_best ? "* " : "  ") + series.label, step_text(trade, *least),
+                                 std::to_string(least->steps), std::to_string(least->evaluations),
+                                 cost_text(trade, *least)};
+    for (std::size_t i = 0; i < trade.scene.observables.size(); ++i) {
+      row.push_back(error_text(least->errors[i], trade.scene.observables[i].unit));
+      row.push_back(order_text(series, i));
+    }
+    table.rows.push_back(std::move(row));
+  }
+  return table;
+}
+
 std::string as_text(const Trade& trade) {
   const Scene& scene = trade.scene;
   std::string text = scene.title.empty() ? scene.name : scene.title;
@@ -86,38 +116,12 @@ std::string as_text(const Trade& trade) {
             ", the two computations of the true value differ by " +
             error_text(trade.reference.uncertain[i], o.unit) + "\n";
   }
-  std::vector<std::vector<std::string>> rows{
-      {"", "step", "steps", "evaluations", trade.timed ? "time" : "cost"}};
-  for (const SceneObservable& o : scene.observables) {
-    rows[0].push_back(o.name);
-    rows[0].emplace_back("order");
-  }
-  const auto best = cheapest(trade);
-  std::vector<std::string> unable;
-  for (std::size_t s = 0; s < trade.series.size(); ++s) {
-    const TradeSeries& series = trade.series[s];
-    const SceneOutcome* least = nullptr;
-    for (const SceneOutcome& o : series.points)
-      if (o.meets(scene) && (!least || cost(trade, o) < cost(trade, *least))) least = &o;
-    if (!least) {
-      unable.push_back(series.label);
-      continue;
-    }
-    const bool is_best = best && best->series == s;
-    std::vector<std::string> row{(is_best ? "* " : "  ") + series.label, step_text(trade, *least),
-                                 std::to_string(least->steps), std::to_string(least->evaluations),
-                                 cost_text(trade, *least)};
-    for (std::size_t i = 0; i < scene.observables.size(); ++i) {
-      row.push_back(error_text(least->errors[i], scene.observables[i].unit));
-      row.push_back(order_text(series, i));
-    }
-    rows.push_back(std::move(row));
-  }
   text += "\nThe cheapest point of each within all tolerances (* the cheapest of all)\n";
-  text += rows.size() > 1 ? aligned_table(rows) : std::string("  none\n");
-  if (!unable.empty()) {
+  const CheapestPoints table = cheapest_points(trade);
+  text += table.rows.size() > 1 ? aligned_table(table.rows) : std::string("  none\n");
+  if (!table.unable.empty()) {
     text += "\nNot within the tolerances at any step that was tried\n";
-    for (const std::string& label : unable) text += "  " + label + "\n";
+    for (const std::string& label : table.unable) text += "  " + label + "\n";
   }
   text += failures(trade);
   if (trade.timed)

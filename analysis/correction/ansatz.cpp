@@ -208,12 +208,15 @@ std::vector<Correction> AnsatzSystem::worded(const std::vector<Coefficient>& unk
   const std::string force = d_.degree == 0 ? "a" : "f";
   const std::map<Target, Where> where{
       {Target::launch_x, {Correction::Kind::launch, "x0", "start the integrator here"}},
-      {Target::launch_x_by_v0, {Correction::Kind::launch, "x0", "start the integrator here"}},
+      {Target::launch_x_by_v0,
+       {Correction::Kind::launch, "x0",
+        "start the integrator here; v0 is the true velocity, not yet corrected"}},
       {Target::launch_v, {Correction::Kind::launch, "v0", "start the integrator with this velocity"}},
       {Target::read_x,
        {Correction::Kind::read_out, "x", "report this position; go on with the integrator's own"}},
       {Target::read_x_by_v,
-       {Correction::Kind::read_out, "x", "report this position; go on with the integrator's own"}},
+       {Correction::Kind::read_out, "x",
+        "report this position, v being the corrected velocity; go on with the integrator's own"}},
       {Target::read_v,
        {Correction::Kind::read_out, "v", "report this velocity; go on with the integrator's own"}},
       {Target::force, {Correction::Kind::force, "", "let the integrator see this force instead"}},
@@ -234,6 +237,7 @@ std::vector<Correction> AnsatzSystem::worded(const std::vector<Coefficient>& unk
     Motion added(columns());
     std::string base = force;
     if (place == Target::launch_x_by_v0 || place == Target::read_x_by_v) {
+      mine->reason = at.reason;
       coefficient *= h_power(1);
       base = place == Target::read_x_by_v ? "v" : "v0";
       added[1] = Sequence(coefficient);

@@ -62,11 +62,17 @@ CodeWriter::Piece CodeWriter::of_signed(const Rational& value) const {
   return {"-" + size.text, size.binding == kProduct ? kProduct : kSign};
 }
 
-/// x x x from the left, as a step that shortfall runs multiplies.
+/// x x x from the left, as a step that shortfall runs multiplies; a function where the exponent is no number.
 CodeWriter::Piece CodeWriter::of_power(const Expr& e) const {
   constexpr std::int64_t kLargest = 32;
   const Expr& raw = e->operands[1];
-  const Rational exponent = raw->op == Expression::Op::negate ? -raw->operands[0]->value : raw->value;
+  const bool negated = raw->op == Expression::Op::negate;
+  const Expr& size = negated ? raw->operands[0] : raw;
+  if (size->op != Expression::Op::number) {
+    if (const std::string f = function("pow"); !f.empty()) return of_call(f, e);
+    throw Unable("'" + print(e) + "' is no power that can be written in " + title());
+  }
+  const Rational exponent = negated ? -size->value : size->value;
   std::int64_t count = 0;
   if (!exponent.fits_int64(count) || std::abs(count) > kLargest)
     throw Unable("the power '" + print(e) + "' is written as a product only up to " +

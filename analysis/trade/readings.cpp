@@ -134,7 +134,7 @@ void SceneObserver<T>::look(Watch& watch, bool first) {
     return;
   }
   const T frame = t_ - before_;
-  const T tau = root(watch, frame * number_(3)).value_or(frame * number_(Rational(1, 2)));
+  const T tau = root(watch, frame * T(3.0)).value_or(frame * T(0.5));
   const T time = before_ + tau;
   const std::vector<T> state = follow_to(time);
   const int body = static_cast<int>(c) / scene_.dimension;
@@ -147,7 +147,7 @@ template <class T>
 std::optional<T> SceneObserver<T>::root(const Watch& watch, const T& limit) {
   constexpr int kSamples = 8;
   std::vector<T> x = x_before_, v = v_before_;
-  T t = before_, offset = number_(0);
+  T t = before_, offset = T(0.0);
   const int from = -watch.side;
   for (int series = 0; rough(offset) < rough(limit) && series < kMostSeriesOfFollow; ++series) {
     flow_.expand(x, v, t);
@@ -164,9 +164,9 @@ std::optional<T> SceneObserver<T>::root(const Watch& watch, const T& limit) {
       // The last digits by Newton's iteration.
       T tau = T(high);
       for (int round = 0; round < 4; ++round) {
-        T slope = number_(0);
+        T slope = T(0.0);
         for (int k = flow_.order(); k >= 1; --k)
-          slope = slope * tau + number_(k) * flow_.coefficient(watch.coordinate, k);
+          slope = slope * tau + T(static_cast<double>(k)) * flow_.coefficient(watch.coordinate, k);
         if (rough(slope) == 0) break;
         const T move = g(tau) / slope;
         if (std::fabs(rough(move)) > length) break;

@@ -35,6 +35,7 @@ class Computation {
     settings_.longest = (scene.until / Rational(2)).to_double();
     settings_.number = number_;
     tape_ = acceleration_tape(scene, chosen);
+    for (int f = 1; f <= kFramesOfPiece; ++f) shares_.push_back(number_(Rational(f, kFramesOfPiece)));
   }
 
   /// The observables up to a time; stops earlier where `ends` and an event ends the scene.
@@ -62,7 +63,7 @@ class Computation {
                      "' cannot be followed beyond t = " + std::to_string(rough(t)) + " " + scene_.units.time);
       std::vector<T> to_x = x, to_v = v;
       for (int f = 1; f <= kFramesOfPiece; ++f) {
-        const T tau = f == kFramesOfPiece ? length : T(length * number_(Rational(f, kFramesOfPiece)));
+        const T tau = f == kFramesOfPiece ? length : T(length * shares_[static_cast<std::size_t>(f) - 1]);
         for (int i = 0; i < m; ++i) {
           to_x[static_cast<std::size_t>(i)] = path.at(i, tau);
           to_v[static_cast<std::size_t>(i)] = path.at(m + i, tau);
@@ -87,6 +88,7 @@ class Computation {
   typename TaylorFlow<T>::Settings settings_;
   SmoothTape tape_;
   std::optional<TaylorFlow<T>> flow_;
+  std::vector<T> shares_;  ///< 1/kFramesOfPiece, ..., 1
 };
 
 struct Found {

@@ -3,7 +3,7 @@
 # upon its user, so that stage leaves this test out.)
 if(NOT SHORTFALL_SANITIZE)
   add_test(NAME consumer
-    COMMAND "${CMAKE_COMMAND}" "-DBUILD=${PROJECT_BINARY_DIR}" "-DSOURCE=${PROJECT_SOURCE_DIR}/tests/consumer"
+    COMMAND "${CMAKE_COMMAND}" "-DBUILD=${PROJECT_BINARY_DIR}" "-DSOURCE=${PROJECT_SOURCE_DIR}/tests/consumer" "-DEXAMPLES=${PROJECT_SOURCE_DIR}/examples"
             "-DWORK=${CMAKE_CURRENT_BINARY_DIR}/consumer" "-DGENERATOR=${CMAKE_GENERATOR}"
             "-DCOMPILER=${CMAKE_CXX_COMPILER}" -P "${PROJECT_SOURCE_DIR}/tests/consumer/run.cmake")
   set_tests_properties(consumer PROPERTIES LABELS consumer)
