@@ -13,6 +13,7 @@
 #include "analysis/program/print.hpp"
 #include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
+#include "cli/export_lesson.hpp"
 #include "cli/force.hpp"
 #include "cli/output.hpp"
 #include "cli/output_folder.hpp"
@@ -160,11 +161,13 @@ int export_derivation(const Question& q, const Wanted& wanted) {
 void add_export(CLI::App& app, int& code) {
   CLI::App* command =
       new_command(app, "Start here", "export",
-                  "A derivation to keep: a notebook that asserts its own claims, a page, LaTeX, code.",
+                  "A derivation to keep: a notebook that asserts its own claims, a page, LaTeX, code; "
+                  "lessons for a class.",
                   {"export symplectic-euler --force constant --notebook -o falling-short.ipynb",
                    "export symplectic-euler --force constant --notebook --html --latex --code all -o out/",
                    "export newmark --force poly:2 --param beta=1/6 --html -o newmark.html",
-                   "export my-own.integrator --force poly:1 --latex -o my-own.tex"});
+                   "export my-own.integrator --force poly:1 --latex -o my-own.tex",
+                   "export lesson:falling-short --exercise -o lesson/"});
   auto q = std::make_shared<Question>();
   auto wanted = std::make_shared<Wanted>();
   add_integrator(*command, *q);
@@ -179,9 +182,15 @@ void add_export(CLI::App& app, int& code) {
       ->add_option("--code", wanted->code,
                    "the correction in csharp, cpp, gdscript, python, rust, javascript, or all, into a folder")
       ->type_name("L,L");
-  command->add_flag("--overwrite", wanted->overwrite, "write into a folder that is not empty");
+  command->add_flag("--overwrite", wanted->overwrite,
+                    "write into a folder that is not empty, over a lesson that is there");
   add_output(*command, *q);
-  command->callback([q, wanted, &code] { code = export_derivation(*q, *wanted); });
+  const auto lesson = add_lesson_options(*command);
+  command->callback([q, wanted, lesson, &code] {
+    lesson->overwrite = wanted->overwrite;
+    code = is_lesson(q->integrator, *lesson) ? export_lesson(q->integrator, q->output, *lesson)
+                                             : export_derivation(*q, *wanted);
+  });
 }
 
 }  // namespace shortfall::cli

@@ -140,16 +140,37 @@ class Lines {
 
 }  // namespace
 
+namespace {
+
+Json metadata(const NotebookCell& cell) {
+  Json json = Json::object();
+  if (cell.graded) {
+    const GradedCell& g = *cell.graded;
+    json["nbgrader"] = {{"cell_type", cell.is_code ? "code" : "markdown"},
+                        {"grade", g.grade},
+                        {"grade_id", g.id},
+                        {"locked", !g.solution},
+                        {"schema_version", 3},
+                        {"solution", g.solution},
+                        {"task", false}};
+    if (g.grade) json["nbgrader"]["points"] = g.points;
+  }
+  if (!cell.slide.empty()) json["slideshow"] = {{"slide_type", cell.slide}};
+  return json;
+}
+
+}  // namespace
+
 std::string NotebookDocument::json() const {
   Json cells = Json::array();
   int number = 0;
-  for (const Cell& cell : cells_) {
+  for (const NotebookCell& cell : cells_) {
     const std::string id = (number < 10 ? "0" : "") + std::to_string(number) + "-" + cell.what;
     ++number;
     Json json{{"cell_type", cell.is_code ? "code" : "markdown"}};
     if (cell.is_code) json["execution_count"] = nullptr;
     json["id"] = id.substr(0, 64);
-    json["metadata"] = Json::object();
+    json["metadata"] = metadata(cell);
     if (cell.is_code) json["outputs"] = Json::array();
     json["source"] = lines(cell.source);
     cells.push_back(std::move(json));

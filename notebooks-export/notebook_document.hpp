@@ -1,12 +1,33 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/program/expression.hpp"
 
 namespace shortfall {
+
+/// What nbgrader has to know about a cell of an exercise.
+///
+/// source  nbgrader, "Creating and grading assignments", metadata of schema version 3
+struct GradedCell {
+  std::string id;         ///< unique in the notebook
+  bool solution = false;  ///< the pupil writes here
+  bool grade = false;     ///< points are given here
+  int points = 0;         ///< where they are given
+};
+
+/// A cell of a notebook.
+struct NotebookCell {
+  bool is_code = false;
+  std::string what;  ///< a short word for the cell's id: letters, digits, hyphens
+  std::string source;
+  std::string slide = {};  ///< how it is shown as slides: slide, subslide, fragment, notes, skip; or empty
+  std::optional<GradedCell> graded = {};
+};
 
 /// A Jupyter notebook (format 4.5) as it grows: cells of text and of Python code.
 ///
@@ -14,21 +35,15 @@ namespace shortfall {
 class NotebookDocument {
  public:
   /// param   what  a short word for the cell's id: letters, digits, hyphens
-  void text(const std::string& what, const std::string& markdown) {
-    cells_.push_back({false, what, markdown});
-  }
-  void code(const std::string& what, const std::string& python) { cells_.push_back({true, what, python}); }
+  void text(const std::string& what, const std::string& markdown) { add({false, what, markdown}); }
+  void code(const std::string& what, const std::string& python) { add({true, what, python}); }
+  void add(NotebookCell cell) { cells_.push_back(std::move(cell)); }
 
   /// The file.
   std::string json() const;
 
  private:
-  struct Cell {
-    bool is_code;
-    std::string what;
-    std::string source;
-  };
-  std::vector<Cell> cells_;
+  std::vector<NotebookCell> cells_;
 };
 
 /// Text of a user's file, so that Markdown shows it as it stands.

@@ -94,7 +94,9 @@ bool is_force_letter(const std::string& name) {
 template <class Visit>
 void each_expression(const std::vector<Statement>& body, const Visit& visit) {
   for (const Statement& s : body) {
-    if (s.value) visit(s.value);
+    // How many substeps there are is written out as a number.
+    const bool counts = s.kind == Statement::Kind::substeps && s.value->op == Expression::Op::name;
+    if (s.value && !counts) visit(s.value);
     for (const Unknown& u : s.unknowns) visit(u.value);
     each_expression(s.body, visit);
   }
@@ -119,13 +121,14 @@ std::string joined(const std::vector<std::string>& words) {
 
 constexpr int kRootDigits = 20;  // not used: irrational coefficients are refused below
 
-PythonStep::PythonStep(const Program& program, const Values& given, int substeps)
+PythonStep::PythonStep(const Program& program, const Values& given, int substeps, PythonUse use)
     : program_(with_numbers(undisturbed(substepped(program, substeps)), kRootDigits)),
       values_(parameter_values(program, given)),
-      substeps_(substeps) {
+      substeps_(substeps),
+      use_(use) {
   for (const auto* block : {&program_.start, &program_.step, &program_.finish})
     each_expression(*block, [&](const Expr& e) {
-      if (mentions_call(e))
+      if (use == PythonUse::derivation && mentions_call(e))
         throw Unable("a notebook computes with fractions, and the step of " + program.name +
                      " calls a function: " + print(e));
     });
@@ -181,8 +184,9 @@ void PythonStep::name_everything() {
       self(s.body, self);
     }
   };
-  for (const Parameter& p : program_.parameters) add_name(p.name, false);
-  for (const State& s : program_.states) add_name(s.name, false);
+  const bool alone = use_ == PythonUse::alone;
+  for (const Parameter& p : program_.parameters) add_name(p.name, alone);
+  for (const State& s : program_.states) add_name(s.name, alone);
   for (const auto* block : {&program_.start, &program_.step, &program_.finish})
     add_assigned(*block, add_assigned);
 }
@@ -242,6 +246,7 @@ void PythonStep::write(const std::vector<Statement>& body, int indent, int depth
   for (const Statement& s : body) {
     switch (s.kind) {
       case Statement::Kind::assign:
+        if (s.value->op == Expression::Op::name && s.value->name == s.name) break;  // v = v + j without j
         text += assignment(indent, s.name, s.value);
         break;
       case Statement::Kind::solve:

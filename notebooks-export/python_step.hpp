@@ -11,6 +11,12 @@
 
 namespace shortfall {
 
+/// Where the functions of a step are to live.
+enum class PythonUse {
+  derivation,  ///< among the cells of a derivation: their names are taken, and nothing may be rounded
+  alone,       ///< anywhere: functions that are not rational, such as pow, may be called
+};
+
 /// An integrator as Python functions start, step and finish that compute exactly, with fractions.Fraction.
 ///
 ///   def step(x, v, STATES, t, h, a, PARAMETERS): ... return x, v, STATES
@@ -21,7 +27,8 @@ class PythonStep {
  public:
   /// param   substeps  how many steps of h / substeps the function `step` takes
   /// throws  BadInput  for a value of an unknown parameter
-  PythonStep(const Program& program, const Values& given, int substeps);
+  PythonStep(const Program& program, const Values& given, int substeps,
+             PythonUse use = PythonUse::derivation);
   PythonStep(const PythonStep&) = delete;
   PythonStep& operator=(const PythonStep&) = delete;
 
@@ -61,6 +68,7 @@ class PythonStep {
   Program program_;
   Values values_;
   int substeps_;
+  PythonUse use_;
   std::map<std::string, Rational> fixed_;
   std::vector<std::string> derived_;
   std::vector<std::pair<std::string, Rational>> parameters_;

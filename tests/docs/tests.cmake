@@ -6,6 +6,6 @@ if(SHORTFALL_PYTHON3 AND TARGET shortfall)
     COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/run_blocks.py" $<TARGET_FILE:shortfall> "${PROJECT_SOURCE_DIR}/README.md"
       "${PROJECT_SOURCE_DIR}/docs/frames.md" "${PROJECT_SOURCE_DIR}/docs/linear.md"
       "${PROJECT_SOURCE_DIR}/docs/tableau.md" "${PROJECT_SOURCE_DIR}/docs/audit.md" "${PROJECT_SOURCE_DIR}/docs/clock.md"
-      "${PROJECT_SOURCE_DIR}/docs/order.md" "${PROJECT_SOURCE_DIR}/docs/modified.md")
+      "${PROJECT_SOURCE_DIR}/docs/lessons.md" "${PROJECT_SOURCE_DIR}/docs/order.md" "${PROJECT_SOURCE_DIR}/docs/modified.md")
   set_tests_properties(docs_commands PROPERTIES LABELS docs)
 endif()
