@@ -46,10 +46,11 @@ class Fitting {
   LinearRows rows(std::size_t axis) const {
     LinearRows result;
     result.unknowns = launch_;
+    result.matrix.reserve(2 * o_.rows() * launch_);
+    result.right.reserve(2 * o_.rows());
     const auto put = [&](const Responses::Row& row, double value, double half) {
-      std::vector<double> scaled(row.begin(), row.begin() + static_cast<long>(launch_));
-      for (double& entry : scaled) entry /= half;
-      result.add(scaled, value / half);
+      for (std::size_t u = 0; u < launch_; ++u) result.matrix.push_back(row[u] / half);
+      result.right.push_back(value / half);
     };
     for (std::size_t r = 0; r < o_.rows(); ++r) {
       put(map_.position[o_.frame[r]], o_.x[r][axis], o_.half_position(o_.x[r][axis]));
@@ -120,6 +121,62 @@ class Fitting {
   std::vector<std::vector<double>>& linear() { return linear_; }
   std::size_t launch_unknowns() const { return launch_; }
 
+  /// Damping and spring under which a frame has the wanted trace and determinant, by Newton's iteration from a
+  /// guess; the guess where that leads nowhere, or where the integrator carries more than x and v.
+  std::vector<double> invariant_match(const std::vector<double>& guess) const {
+    if (candidate_.tape->states.size() != 2 || !q_.invariants) return guess;
+    const auto off = [&](const std::vector<double>& p, std::array<double, 2>& f) {
+      try {
+        const FrameMap m = frame_map(*candidate_.tape, candidate_.circumstances(o_.dt, c(p), k(p)));
+        f = {m.step[0].part[0] * m.step[1].part[1] - m.step[0].part[1] * m.step[1].part[0] - q_.determinant,
+             m.step[0].part[0] + m.step[1].part[1] - q_.trace};
+        return std::isfinite(f[0]) && std::isfinite(f[1]);
+      } catch (const Error&) {
+        return false;
+      }
+    };
+    std::vector<double> p = guess;
+    std::array<double, 2> f{};
+    for (int round = 0; round < 20; ++round) {
+      if (!off(p, f)) return guess;
+      std::array<std::array<double, 2>, 2> slope{};
+      for (std::size_t i = 0; i < p.size(); ++i) {
+        std::vector<double> moved = p;
+        const double width = 1e-6 * std::max(std::fabs(p[i]), 1e-2);
+        moved[i] += width;
+        if (!off(moved, slope[i])) return guess;
+        for (std::size_t e = 0; e < 2; ++e) slope[i][e] = (slope[i][e] - f[e]) / width;
+      }
+      double most = 0;
+      if (p.size() == 1) {
+        // A damping shows in the determinant, a spring in the trace.
+        const std::size_t e = q_.damping ? 0 : 1;
+        const double move = f[e] / slope[0][e];
+        p[0] -= move;
+        most = std::fabs(move) / std::max(std::fabs(p[0]), 1e-9);
+      } else {
+        const double d = slope[0][0] * slope[1][1] - slope[1][0] * slope[0][1];
+        const double dc = (f[0] * slope[1][1] - f[1] * slope[1][0]) / d;
+        const double dk = (slope[0][0] * f[1] - slope[0][1] * f[0]) / d;
+        p[0] -= dc;
+        p[1] -= dk;
+        most = std::max(std::fabs(dc) / std::max(std::fabs(p[0]), 1e-9), std::fabs(dk) / std::max(std::fabs(p[1]), 1e-9));
+      }
+      if (!std::isfinite(most)) return guess;
+      if (most < 1e-10) return p;
+    }
+    return guess;
+  }
+
+  /// Whether a residual is so large that no small change of the parameters can help.
+  bool hopeless(const std::vector<double>& residual) const {
+    if (candidate_.tape->states.size() != 2 || !q_.invariants) return false;
+    const double position = o_.half_position(o_.largest_position());
+    double most = 0;
+    for (const double r : residual) most = std::max(most, std::fabs(r));
+    return most > std::max(300.0, 3e-3 * o_.largest_position() / position);
+  }
+
   /// A damping number under which the velocity decays at this rate, by bisection.
   double damping_number(double rate) const {
     if (!(rate > 0)) return 1e-6;
@@ -172,7 +229,7 @@ std::vector<double> minimised(Fitting& fitting, const std::vector<double>& guess
   gsl_vector_const_view start = gsl_vector_const_view_array(guess.data(), guess.size());
   gsl_multifit_nlinear_init(&start.vector, &problem, work);
   int info = 0;
-  gsl_multifit_nlinear_driver(25, 1e-13, 1e-13, 0, nullptr, nullptr, &info, work);
+  gsl_multifit_nlinear_driver(12, 1e-10, 1e-10, 0, nullptr, nullptr, &info, work);
   const gsl_vector* const found = gsl_multifit_nlinear_position(work);
   for (std::size_t i = 0; i < result.size(); ++i) result[i] = gsl_vector_get(found, i);
   gsl_multifit_nlinear_free(work);
@@ -205,10 +262,14 @@ std::optional<Fit> fit(const Candidate& candidate, const Observations& o, const 
   std::vector<double> p;
   if (q.damping) p.push_back(fitting.damping_number(q.rate));
   if (q.spring) p.push_back(q.stiffness);
-  if (!p.empty()) p = minimised(fitting, p);
   std::vector<double> residual;
+  if (!p.empty()) {
+    p = fitting.invariant_match(p);
+    const bool solved = fitting.solve(p, residual);
+    if (!solved || !fitting.hopeless(residual)) p = minimised(fitting, p);
+  }
   if (!fitting.solve(p, residual)) return std::nullopt;
-  LinearRows rows = fitting.all_rows(p, residual);
+  const LinearRows rows = fitting.all_rows(p, residual);
   LinearSolution change = least_squares(rows);
   if (const double now = largest(residual); !o.exact() && now > 1 && now < 3) change = least_maximum(rows, 100);
   std::vector<double> unknowns = p;

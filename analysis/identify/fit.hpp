@@ -42,6 +42,8 @@ struct FitQuestion {
   Launch launch = Launch::velocity;
   double rate = 0;       ///< guess of the damping, per second
   double stiffness = 0;  ///< guess of k
+  bool invariants = false;  ///< whether trace and determinant of a frame are known
+  double trace = 0, determinant = 0;
 };
 
 /// The best parameters of a candidate. Given damping and spring the frames depend linearly on all the others,

@@ -112,8 +112,13 @@ class Identifying {
     } else {
       questions.push_back(q);
       // A damping that the rounding hides from the positions may show in the velocities.
-      if (!q.damping && !o.exact()) questions.push_back({true, false, Launch::velocity, 0.01, 0});
-      if (q.spring) questions.insert(questions.begin(), {false, true, Launch::velocity, 0, q.stiffness});
+      FitQuestion more;
+      more.damping = true;
+      more.rate = 0.01;
+      if (!q.damping && !o.exact()) questions.push_back(more);
+      FitQuestion undamped = q;
+      undamped.damping = false;
+      if (q.spring) questions.insert(questions.begin(), undamped);
     }
     try_all(o, questions);
     if (!matches_.empty() || !o.velocities) return;

@@ -233,6 +233,14 @@ class Reader {
     log_.velocity_rounding = log_.velocities ? speeds_.rounding() : log_.position_rounding;
     // Zeros and round numbers in one column do not make the other one's numbers rounded.
     if (log_.velocities && log_.position_rounding.exact() != log_.velocity_rounding.exact()) agree();
+    // Nine digits of a binary32 stand for it, and are not it.
+    const bool narrow_x = log_.position_rounding.kind == Rounding::Kind::binary32;
+    const bool narrow_v = log_.velocity_rounding.kind == Rounding::Kind::binary32;
+    for (Log::Row& row : log_.rows)
+      for (std::size_t i = 0; i < 3; ++i) {
+        if (narrow_x) row.x[i] = static_cast<float>(row.x[i]);
+        if (narrow_v) row.v[i] = static_cast<float>(row.v[i]);
+      }
     if (columns_.has(Thing::time)) read_steps();
   }
 

@@ -49,6 +49,10 @@ std::optional<FitQuestion> explained(const Observations& o) {
       if (!f || !fits(*f, o)) continue;
       q.rate = f->c.value;
       q.stiffness = f->k.value;
+      const FrameMap m = frame_map(*proxy().tape, proxy().circumstances(o.dt, q.rate, q.stiffness));
+      q.invariants = true;
+      q.trace = m.step[0].part[0] + m.step[1].part[1];
+      q.determinant = m.step[0].part[0] * m.step[1].part[1] - m.step[0].part[1] * m.step[1].part[0];
       return q;
     }
   }
