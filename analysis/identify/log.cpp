@@ -112,7 +112,7 @@ class Reader {
     columns_known_ = true;
     log_.velocities = columns_.velocities();
     log_.unit = columns_.unit;
-    log_.metres = columns_.metres.to_double();
+    log_.units_in_metre = Rational(1) / columns_.metres;
     for (int axis = 0; axis < 3; ++axis) {
       const int place = columns_.place[static_cast<std::size_t>(Thing::x + axis)];
       if (place < 0) continue;

@@ -49,7 +49,7 @@ struct Log {
   bool velocities = false;
   Rounding position_rounding;
   Rounding velocity_rounding;
-  double metres = 1;                 ///< of the unit of length
+  Rational units_in_metre = 1;       ///< 100 when lengths are in cm; 1 when the unit is not known
   std::string unit = "m";
   std::optional<Rational> dt;        ///< seconds; where the stamps say it
   bool equal_steps = true;           ///< false: the time stamps are not equally far apart
