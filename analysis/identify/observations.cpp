@@ -22,8 +22,6 @@ double half(const Rounding& rounding, double value, double most) {
 
 }  // namespace
 
-double Observations::largest_position() const { return largest(x, axes); }
-double Observations::largest_velocity() const { return largest(v, axes); }
 double Observations::half_position(double value) const {
   return half(rounding, value, rounding.exact() ? largest_position() : 0);
 }
@@ -44,6 +42,8 @@ Observations observations(const Log& log, double dt, std::size_t first, std::siz
     o.x.push_back(row.x);
     o.v.push_back(row.v);
   }
+  o.most_position = largest(o.x, o.axes);
+  o.most_velocity = largest(o.v, o.axes);
   return o;
 }
 

@@ -19,12 +19,13 @@ struct Observations {
   bool first_velocity = true;  ///< false: the velocity was set after row 0 had been written
   Rounding rounding, velocity_rounding;
   double dt = 0;
+  double most_position = 0, most_velocity = 0;  ///< the largest absolute values
 
   std::size_t rows() const { return x.size(); }
   std::size_t frames() const { return frame.back() + 1; }
   bool exact() const { return rounding.exact() && velocity_rounding.exact(); }
-  double largest_position() const;
-  double largest_velocity() const;
+  double largest_position() const { return most_position; }
+  double largest_velocity() const { return most_velocity; }
   /// Half a unit of what was written; for numbers that were not rounded, half a unit in the last place of
   /// the largest.
   double half_position(double value) const;
