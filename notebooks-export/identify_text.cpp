@@ -19,6 +19,8 @@ const char* kind_word(Kind kind) {
   switch (kind) {
     case Kind::map:
       return "map";
+    case Kind::joint:
+      return "joint";
     case Kind::unequal_steps:
       return "unequal-steps";
     case Kind::resampled:
@@ -101,6 +103,8 @@ std::string as_text(const Log& log, const Identification& found, std::size_t mos
   text += "\n";
   if (found.kind != Kind::map) {
     text += "No map: " + found.advice + ".\n";
+    for (const Match& m : found.matches)
+      text += fmt::format("  {:<32} {:<18} {}\n", m.candidate.str(), difference(found, m), parameters_text(log, m));
     if (!found.nearest.empty() && found.kind == Kind::none) {
       text += "\nNearest, and refuted\n";
       for (const Match& m : found.nearest)

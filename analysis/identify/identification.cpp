@@ -170,6 +170,10 @@ class Identifying {
       if (first + 8 > result_.last) break;
       const std::size_t end = longest(log_, dt, first, result_.last);
       if (end < first + 8 || end - first < (result_.last - first) / 8) continue;
+      // Any smooth motion has a short beginning that a map makes: what ends it must be known, or it is most of the log.
+      if (2 * (end - first) < result_.last - first &&
+          (end >= result_.last || break_at(log_, dt, first, end).kind == Break::Kind::unexplained))
+        continue;
       others_.clear();
       explain(first, end);
       if (matches_.empty()) continue;
@@ -195,6 +199,15 @@ class Identifying {
     return 10 * repeated > moved && repeated < moved;
   }
 
+  /// A damped spring that no arithmetic of a map makes bit by bit, and implicit Euler makes nearly.
+  bool is_joint() const {
+    return result_.bits && log_.velocities &&
+           std::ranges::none_of(result_.matches, &Match::exact) &&
+           std::ranges::any_of(result_.matches, [](const Match& m) {
+             return m.candidate.name() == "implicit-euler" && m.fit.k.value > 4 * m.fit.k.spread && m.fit.k.value > 0;
+           });
+  }
+
   void conclude() {
     std::ranges::stable_sort(others_, {}, &Match::ulp);
     if (others_.size() > kNearest) others_.resize(kNearest);
@@ -212,13 +225,20 @@ class Identifying {
       return;
     }
     result_.kind = Identification::Kind::map;
+    if (is_joint()) {
+      result_.kind = Identification::Kind::joint;
+      std::erase_if(result_.matches, [](const Match& m) { return m.candidate.name() != "implicit-euler"; });
+      result_.advice =
+          "no map makes the last bits of this log. A spring that an engine solves as a joint is implicit Euler, and so "
+          "near is this: the integrator itself shows in a motion without a joint";
+    }
     std::vector<Candidate> found;
     for (const Match& m : result_.matches) found.push_back(m.candidate);
     const std::vector<int> numbers = groups(found);
     for (std::size_t i = 0; i < found.size(); ++i) result_.matches[i].group = numbers[i];
     result_.groups = group_count(numbers);
-    result_.identifiable = result_.groups == 1;
-    if (result_.identifiable) return;
+    result_.identifiable = result_.groups == 1 && result_.kind == Identification::Kind::map;
+    if (result_.groups == 1 || result_.kind != Identification::Kind::map) return;
     if (const Experiment* e = best_experiment(found))
       result_.advice = "record " + e->text + ": it tells them apart into " +
                        std::to_string(group_count(groups(found, *e))) + " groups";

@@ -39,6 +39,7 @@ struct Break {
 struct Identification {
   enum class Kind {
     map,            ///< maps of the family reproduce it
+    joint,          ///< nearly one: a spring of the engine's own, which it solves implicitly
     unequal_steps,  ///< its frames are not equally long
     resampled,      ///< its velocities change less often than its positions
     none,           ///< no map of the family made it

@@ -73,7 +73,8 @@ class Matching {
     }
     const double nominal = 0x1p-24 * std::sqrt(static_cast<double>(o_.frames())) *
                            std::max(o_.largest_position() / x_unit, o_.velocities ? o_.largest_velocity() / v_unit : 0);
-    return std::max(most, nominal) * narrow;
+    // A method may lose far more than that to rounding; such a one says nothing about a log.
+    return std::min(std::max(most, nominal), 30 * nominal) * narrow;
   }
 
   void set_flight() {

@@ -80,8 +80,8 @@ Verdict verdict(const Recording& r, const std::string& csv, const Blur& blur) {
       engines = engines || family(*m.candidate.program) == "engines";
       v.unfaithful += !faithful(log, found, m);
     }
-    if (foreign(r) && !truth)
-      v.kind = engines ? Verdict::Kind::wrong : Verdict::Kind::as_such;
+    if (foreign(r) && (!truth || found.kind != Identification::Kind::map))
+      v.kind = engines && found.kind == Identification::Kind::map ? Verdict::Kind::wrong : Verdict::Kind::as_such;
     else if (found.matches.empty())
       v.kind = Verdict::Kind::missed;
     else if (!truth)
