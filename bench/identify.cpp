@@ -25,8 +25,8 @@ std::string log_text(const char* engine, double damping) {
   std::string text = "time,x,y,z,vx,vy,vz\n";
   fly(c, frames, 1.0 / 60, flight, [&](std::size_t row, const Log::Triple& x, const Log::Triple& v) {
     char line[200];
-    std::snprintf(line, sizeof line, "%.12g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", static_cast<double>(row) / 60, x[0],
-                  x[1], x[2], v[0], v[1], v[2]);
+    std::snprintf(line, sizeof line, "%.12g,%.9g,%.9g,%.9g,%.9g,%.9g,%.9g\n", static_cast<double>(row) / 60,
+                  x[0], x[1], x[2], v[0], v[1], v[2]);
     text += line;
     return true;
   });

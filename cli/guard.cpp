@@ -28,8 +28,10 @@ int guard(const GuardWords& o) {
   IdentifyOptions options = o.identify_options(log);
   options.only = {candidate(program, o.substep_count, values)};
   const Identification found = identify(log, options);
-  const bool whole = found.breaks.empty() ||
-                     std::ranges::none_of(found.breaks, [](const Break& b) { return b.kind == Break::Kind::unexplained || b.kind == Break::Kind::contact || b.kind == Break::Kind::limit; });
+  const bool whole = found.breaks.empty() || std::ranges::none_of(found.breaks, [](const Break& b) {
+                       return b.kind == Break::Kind::unexplained || b.kind == Break::Kind::contact ||
+                              b.kind == Break::Kind::limit;
+                     });
   const bool holds = found.kind == Identification::Kind::map && whole;
   const std::string name = options.only[0].str();
   std::string reason;
@@ -37,15 +39,20 @@ int guard(const GuardWords& o) {
     reason = fmt::format("{} reproduces rows {} to {} of {} {}", name, found.first, found.last - 1, log.file,
                          found.matches[0].exact ? "to the last bit" : "within its rounding");
   else if (found.kind == Identification::Kind::map)
-    reason = fmt::format("{} reproduces only rows {} to {} of {}: {}", name, found.first, found.last - 1, log.file,
-                         found.breaks.back().text);
+    reason = fmt::format("{} reproduces only rows {} to {} of {}: {}", name, found.first, found.last - 1,
+                         log.file, found.breaks.back().text);
   else if (found.kind != Identification::Kind::none || found.nearest.empty())
     reason = fmt::format("{} does not reproduce {}: {}", name, log.file, found.advice);
   else
-    reason = fmt::format("{} does not reproduce {}: with its best parameters ({}) it is off by {:.3g} m", name, log.file,
-                         parameters_text(log, found.nearest[0]), found.nearest[0].fit.worst_position);
+    reason =
+        fmt::format("{} does not reproduce {}: with its best parameters ({}) it is off by {:.3g} m", name,
+                    log.file, parameters_text(log, found.nearest[0]), found.nearest[0].fit.worst_position);
   if (o.json) {
-    nlohmann::ordered_json result = {{"schema", "shortfall.guard/1"}, {"file", log.file}, {"map", name}, {"holds", holds}, {"reason", reason}};
+    nlohmann::ordered_json result = {{"schema", "shortfall.guard/1"},
+                                     {"file", log.file},
+                                     {"map", name},
+                                     {"holds", holds},
+                                     {"reason", reason}};
     write_output(result.dump(2) + "\n", o.output);
   } else {
     write_output(reason + "\n", o.output);

@@ -17,7 +17,8 @@ LogOptions LogWords::log_options() const {
       const std::string word = words.substr(begin, end - begin);
       const std::size_t equals = word.find('=');
       if (equals == std::string::npos || equals == 0)
-        throw BadInput("--columns '" + word.substr(0, 60) + "': write THING=NAME, as in --columns y=height,vy=speed");
+        throw BadInput("--columns '" + word.substr(0, 60) +
+                       "': write THING=NAME, as in --columns y=height,vy=speed");
       if (!options.columns.emplace(word.substr(0, equals), word.substr(equals + 1)).second)
         throw BadInput("--columns gives " + word.substr(0, equals) + " twice");
       begin = end + 1;
@@ -43,11 +44,16 @@ IdentifyOptions LogWords::identify_options(const Log& log) const {
 }
 
 void add_log_words(CLI::App& command, LogWords& words) {
-  command.add_option("--dt", words.dt, "the time step: 0.02, 1/50, 20ms, 50Hz; otherwise found in the log")->type_name("DT");
-  command.add_option("--g", words.g, "gravity in m/s^2, positive downwards; otherwise found in the log")->type_name("G");
+  command.add_option("--dt", words.dt, "the time step: 0.02, 1/50, 20ms, 50Hz; otherwise found in the log")
+      ->type_name("DT");
+  command.add_option("--g", words.g, "gravity in m/s^2, positive downwards; otherwise found in the log")
+      ->type_name("G");
   command.add_option("--up", words.up, "the vertical axis (y where there is one)")->type_name("AXIS");
-  command.add_option("--body", words.body, "which body, by its name or number, where there are several")->type_name("BODY");
-  command.add_option("--columns", words.columns, "what columns hold: time=T,y=height,vy=speed (frame, time, body, x, y, z, vx, vy, vz)")
+  command.add_option("--body", words.body, "which body, by its name or number, where there are several")
+      ->type_name("BODY");
+  command
+      .add_option("--columns", words.columns,
+                  "what columns hold: time=T,y=height,vy=speed (frame, time, body, x, y, z, vx, vy, vz)")
       ->type_name("THING=NAME,...")
       ->allow_extra_args(false);
 }

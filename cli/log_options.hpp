@@ -15,7 +15,7 @@ struct LogWords {
   std::string dt, g, up, body;
   std::vector<std::string> columns;
 
-  LogOptions log_options() const;                         ///< throws BadInput
+  LogOptions log_options() const;                          ///< throws BadInput
   IdentifyOptions identify_options(const Log& log) const;  ///< throws BadInput
 };
 

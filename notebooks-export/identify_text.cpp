@@ -57,8 +57,11 @@ std::string number(const std::optional<Rational>& exact, const Fitted& fitted) {
     return exact->str();
   }
   if (!std::isfinite(fitted.spread)) return "not told";
-  const int digits = fitted.value == 0 ? 2
-                                       : std::max(1, static_cast<int>(std::ceil(std::log10(std::fabs(fitted.value) / std::max(fitted.spread, 1e-300)))) + 1);
+  const int digits = fitted.value == 0
+                         ? 2
+                         : std::max(1, static_cast<int>(std::ceil(std::log10(
+                                           std::fabs(fitted.value) / std::max(fitted.spread, 1e-300)))) +
+                                           1);
   return fmt::format("{:.{}g} +- {:.1g}", fitted.value, std::min(digits, 12), fitted.spread);
 }
 
@@ -97,14 +100,17 @@ std::string as_text(const Log& log, const Identification& found, std::size_t mos
   text += "\n";
   if (log.more) text += fmt::format("  the file goes on; the first {} frames were read\n", log.rows.size());
   if (log.bodies.size() > 1)
-    text += fmt::format("  {} bodies; this is '{}' (--body chooses another)\n", log.bodies.size(), log.bodies.front());
+    text += fmt::format("  {} bodies; this is '{}' (--body chooses another)\n", log.bodies.size(),
+                        log.bodies.front());
   for (const Break& b : found.breaks)
-    text += fmt::format("  break at row {} (line {}): {}\n", b.row, log.rows[std::min(b.row, log.rows.size() - 1)].line, b.text);
+    text += fmt::format("  break at row {} (line {}): {}\n", b.row,
+                        log.rows[std::min(b.row, log.rows.size() - 1)].line, b.text);
   text += "\n";
   if (found.kind != Kind::map) {
     text += "No map: " + found.advice + ".\n";
     for (const Match& m : found.matches)
-      text += fmt::format("  {:<32} {:<18} {}\n", m.candidate.str(), difference(found, m), parameters_text(log, m));
+      text += fmt::format("  {:<32} {:<18} {}\n", m.candidate.str(), difference(found, m),
+                          parameters_text(log, m));
     if (!found.nearest.empty() && found.kind == Kind::none) {
       text += "\nNearest, and refuted\n";
       for (const Match& m : found.nearest)
@@ -115,15 +121,16 @@ std::string as_text(const Log& log, const Identification& found, std::size_t mos
   const std::size_t rows = found.last - found.first;
   text += fmt::format("{} of {} maps reproduce {} rows {}\n", found.matches.size(), found.candidates, rows,
                       found.matches.front().exact ? "to the last bit"
-                      : found.bits               ? "as far as rounding tells"
-                                                 : "within the rounding of the log");
+                      : found.bits                ? "as far as rounding tells"
+                                                  : "within the rounding of the log");
   std::size_t listed = 0;
   for (const Match& m : found.matches) {
     if (++listed > most) {
       text += fmt::format("  and {} more (--all lists them)\n", found.matches.size() - most);
       break;
     }
-    text += fmt::format("  {:<32} {:<18} {}{}\n", m.candidate.str(), difference(found, m), parameters_text(log, m),
+    text += fmt::format("  {:<32} {:<18} {}{}\n", m.candidate.str(), difference(found, m),
+                        parameters_text(log, m),
                         m.fit.launch == Launch::impulse ? ", launched by an impulse" : "");
   }
   if (found.matches.size() == 1 && !versions_text(*found.matches[0].candidate.program).empty())
@@ -145,13 +152,20 @@ std::string as_text(const Log& log, const Identification& found, std::size_t mos
 
 nlohmann::ordered_json as_json(const Log& log, const Identification& found) {
   using json = nlohmann::ordered_json;
-  json result = {{"schema", "shortfall.identify/1"}, {"file", log.file},
-                 {"kind", kind_word(found.kind)},    {"rows", log.rows.size()},
-                 {"rounding", log.position_rounding.str()}, {"velocities", log.velocities},
-                 {"dt", found.dt.str()},             {"dt_source", found.dt_source},
-                 {"first", found.first},             {"last", found.last},
-                 {"identifiable", found.identifiable}, {"groups", found.groups},
-                 {"advice", found.advice},           {"tried", found.candidates}};
+  json result = {{"schema", "shortfall.identify/1"},
+                 {"file", log.file},
+                 {"kind", kind_word(found.kind)},
+                 {"rows", log.rows.size()},
+                 {"rounding", log.position_rounding.str()},
+                 {"velocities", log.velocities},
+                 {"dt", found.dt.str()},
+                 {"dt_source", found.dt_source},
+                 {"first", found.first},
+                 {"last", found.last},
+                 {"identifiable", found.identifiable},
+                 {"groups", found.groups},
+                 {"advice", found.advice},
+                 {"tried", found.candidates}};
   result["breaks"] = json::array();
   for (const Break& b : found.breaks)
     result["breaks"].push_back({{"kind", break_word(b.kind)}, {"row", b.row}, {"text", b.text}});
@@ -165,7 +179,8 @@ nlohmann::ordered_json as_json(const Log& log, const Identification& found) {
               {"launch", m.fit.launch == Launch::impulse ? "impulse" : "velocity"}};
     json parameters = json::object();
     for (const auto& [name, value] : m.candidate.fixed) parameters[name] = value.str();
-    const auto put = [&](const std::string& name, const std::optional<Rational>& exact, const Fitted& fitted) {
+    const auto put = [&](const std::string& name, const std::optional<Rational>& exact,
+                         const Fitted& fitted) {
       if (exact)
         parameters[name] = exact->str();
       else

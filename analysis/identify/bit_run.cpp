@@ -64,11 +64,13 @@ struct EngineBody {
 
 template <class Vector>
 Log::Triple doubles(const Vector& v) {
-  return {static_cast<double>(v.parts()[0]), static_cast<double>(v.parts()[1]), static_cast<double>(v.parts()[2])};
+  return {static_cast<double>(v.parts()[0]), static_cast<double>(v.parts()[1]),
+          static_cast<double>(v.parts()[2])};
 }
 
 template <class S, class C, class See>
-void fly_in(const Candidate& candidate, const std::vector<std::size_t>& frames, double dt, const Flight& flight, See&& see) {
+void fly_in(const Candidate& candidate, const std::vector<std::size_t>& frames, double dt,
+            const Flight& flight, See&& see) {
   EngineBody<S, C> body{flight, -1};
   if (candidate.own_damping)
     for (std::size_t i = 0; i < candidate.tape->parameters.size(); ++i)
@@ -88,7 +90,8 @@ void fly_in(const Candidate& candidate, const std::vector<std::size_t>& frames, 
 }
 
 template <class See>
-void fly_so(const Candidate& candidate, const std::vector<std::size_t>& frames, double dt, const Flight& flight, See&& see) {
+void fly_so(const Candidate& candidate, const std::vector<std::size_t>& frames, double dt,
+            const Flight& flight, See&& see) {
   switch (flight.arithmetic) {
     case Arithmetic::binary32:
       return fly_in<float, float>(candidate, frames, dt, flight, see);
@@ -106,7 +109,8 @@ void fly(const Candidate& candidate, const std::vector<std::size_t>& frames, dou
   fly_so(candidate, frames, dt, flight, see);
 }
 
-Comparison compare(const Candidate& candidate, const Observations& o, const Flight& flight, int only, bool whole) {
+Comparison compare(const Candidate& candidate, const Observations& o, const Flight& flight, int only,
+                   bool whole) {
   Comparison result;
   const double x_unit = 2 * o.half_position(o.largest_position());
   const double v_unit = o.velocities ? 2 * o.half_velocity(o.largest_velocity()) : 1;

@@ -24,14 +24,16 @@ double share_of(const Candidate& candidate) {
 }  // namespace
 
 ByDt by_dt(std::vector<ByDtPoint> points, std::optional<double> g) {
-  if (points.size() < 3) throw BadInput("--by-dt needs three points or more: 30Hz:165px 60Hz:150px 120Hz:142.5px");
+  if (points.size() < 3)
+    throw BadInput("--by-dt needs three points or more: 30Hz:165px 60Hz:150px 120Hz:142.5px");
   std::ranges::sort(points, [](const auto& a, const auto& b) { return a.dt > b.dt; });
   for (std::size_t i = 1; i < points.size(); ++i)
     if (points[i].dt == points[i - 1].dt) throw BadInput("--by-dt: two points have the same step");
   const auto h = [&](std::size_t i) { return points[i].dt.to_double(); };
   const auto y = [&](std::size_t i) { return points[i].value.to_double(); };
   const double first = y(0) - y(1), second = y(1) - y(2);
-  if (first == 0 && second == 0) throw Undefined("the values do not depend on the step: there is no error to be seen");
+  if (first == 0 && second == 0)
+    throw Undefined("the values do not depend on the step: there is no error to be seen");
   const double ratio = first / second;
   const auto shape = [&](double p) {
     return (std::pow(h(0), p) - std::pow(h(1), p)) / (std::pow(h(1), p) - std::pow(h(2), p));
@@ -51,7 +53,8 @@ ByDt by_dt(std::vector<ByDtPoint> points, std::optional<double> g) {
   result.slope = (y(0) - y(last)) / (std::pow(h(0), p) - std::pow(h(last), p));
   result.limit = y(last) - result.slope * std::pow(h(last), p);
   for (std::size_t i = 0; i <= last; ++i)
-    result.misfit = std::max(result.misfit, std::fabs(result.limit + result.slope * std::pow(h(i), p) - y(i)));
+    result.misfit =
+        std::max(result.misfit, std::fabs(result.limit + result.slope * std::pow(h(i), p) - y(i)));
   if (!result.whole_order || p != 1) return result;
   if (g && result.limit > 0) result.share = 2 * result.slope / std::sqrt(2 * *g * result.limit);
   for (const Candidate& c : known_candidates()) {
@@ -59,7 +62,8 @@ ByDt by_dt(std::vector<ByDtPoint> points, std::optional<double> g) {
     const bool side = share * result.slope > 0 && std::fabs(share) > 1e-6;
     const bool plain = c.substeps == 1;
     if (result.share ? std::fabs(share - *result.share) < 0.05 * std::fabs(*result.share)
-                     : side && plain && (!c.counts || *c.counts == candidate(*c.program, std::nullopt).substep_count()))
+                     : side && plain &&
+                           (!c.counts || *c.counts == candidate(*c.program, std::nullopt).substep_count()))
       result.maps.push_back(c.str());
   }
   return result;

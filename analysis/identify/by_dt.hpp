@@ -17,11 +17,11 @@ struct ByDtPoint {
 
 /// What peaks at several frame rates say.
 struct ByDt {
-  double order = 0;            ///< of the error: value = limit + slope dt^order
-  bool whole_order = false;    ///< the points are those of a whole order
-  double limit = 0;            ///< at a step of 0
+  double order = 0;          ///< of the error: value = limit + slope dt^order
+  bool whole_order = false;  ///< the points are those of a whole order
+  double limit = 0;          ///< at a step of 0
   double slope = 0;
-  double misfit = 0;           ///< of the points that were not used, the largest
+  double misfit = 0;  ///< of the points that were not used, the largest
   /// Per maps of first order: the error of an undamped jump, in units of half a step times the launch.
   /// +1 drifts before it kicks, -1 kicks first, -1/N does so in N substeps.
   std::optional<double> share;

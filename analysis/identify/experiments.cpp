@@ -18,7 +18,8 @@ std::vector<double> recorded(const Candidate& candidate, const Experiment& e) {
   constexpr double kDt = 0.02, kLaunch = 5, kGravity = -9.81, kPlace = 1;
   std::vector<double> result;
   try {
-    const Responses r = responses(frame_map(*candidate.tape, candidate.circumstances(kDt, e.c, e.k)), kFrames);
+    const Responses r =
+        responses(frame_map(*candidate.tape, candidate.circumstances(kDt, e.c, e.k)), kFrames);
     const bool impulse = e.impulse && candidate.program->impulse;
     const auto put = [&](const Responses::Row& row) {
       result.push_back(kPlace * row[0] + (impulse ? row[3] : row[1]) * kLaunch + kGravity * row[2]);
@@ -47,7 +48,8 @@ const std::vector<Experiment>& experiments() {
       {"an undamped fall with a launch, with velocities", 0, 0, false, true},
       {"a fall with a damping of 0.5, with velocities", 0.5, 0, false, true},
       {"an undamped spring as your own force (a = -100 x), with velocities", 0, 100, false, true},
-      {"a spring as your own force (a = -100 x) with a damping of 0.5, with velocities", 0.5, 100, false, true},
+      {"a spring as your own force (a = -100 x) with a damping of 0.5, with velocities", 0.5, 100, false,
+       true},
       {"a launch by an impulse with a damping of 0.5, with velocities", 0.5, 0, true, true},
   };
   return all;
@@ -73,7 +75,8 @@ std::vector<int> groups(const std::vector<Candidate>& candidates) {
   }
   std::map<std::vector<int>, int> numbers;
   std::vector<int> result;
-  for (const auto& key : keys) result.push_back(numbers.emplace(key, static_cast<int>(numbers.size())).first->second);
+  for (const auto& key : keys)
+    result.push_back(numbers.emplace(key, static_cast<int>(numbers.size())).first->second);
   return result;
 }
 

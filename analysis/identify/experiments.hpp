@@ -10,9 +10,9 @@ namespace shortfall {
 
 /// A motion that one could record in order to tell maps apart.
 struct Experiment {
-  std::string text;     ///< "a fall with a damping of 0.5, with velocities"
-  double c = 0;         ///< the number given to the engine
-  double k = 0;         ///< of a spring as the user's own force
+  std::string text;  ///< "a fall with a damping of 0.5, with velocities"
+  double c = 0;      ///< the number given to the engine
+  double k = 0;      ///< of a spring as the user's own force
   bool impulse = false;
   bool velocities = true;
 };

@@ -24,8 +24,8 @@ class Fitting {
 
   std::size_t nonlinear() const { return (q_.damping ? 1U : 0U) + (q_.spring ? 1U : 0U); }
   std::size_t residuals() const {
-    return o_.axes.size() * (o_.rows() * (o_.velocities ? 2 : 1) -
-                             (o_.velocities && !o_.first_velocity ? 1 : 0));
+    return o_.axes.size() *
+           (o_.rows() * (o_.velocities ? 2 : 1) - (o_.velocities && !o_.first_velocity ? 1 : 0));
   }
 
   double c(const std::vector<double>& p) const { return q_.damping ? p[0] : 0; }
@@ -121,8 +121,8 @@ class Fitting {
   std::vector<std::vector<double>>& linear() { return linear_; }
   std::size_t launch_unknowns() const { return launch_; }
 
-  /// Damping and spring under which a frame has the wanted trace and determinant, by Newton's iteration from a
-  /// guess; the guess where that leads nowhere, or where the integrator carries more than x and v.
+  /// Damping and spring under which a frame has the wanted trace and determinant, by Newton's iteration from
+  /// a guess; the guess where that leads nowhere, or where the integrator carries more than x and v.
   std::vector<double> invariant_match(const std::vector<double>& guess) const {
     if (candidate_.tape->states.size() != 2 || !q_.invariants) return guess;
     const auto off = [&](const std::vector<double>& p, std::array<double, 2>& f) {
@@ -160,7 +160,8 @@ class Fitting {
         const double dk = (slope[0][0] * f[1] - slope[0][1] * f[0]) / d;
         p[0] -= dc;
         p[1] -= dk;
-        most = std::max(std::fabs(dc) / std::max(std::fabs(p[0]), 1e-9), std::fabs(dk) / std::max(std::fabs(p[1]), 1e-9));
+        most = std::max(std::fabs(dc) / std::max(std::fabs(p[0]), 1e-9),
+                        std::fabs(dk) / std::max(std::fabs(p[1]), 1e-9));
       }
       if (!std::isfinite(most)) return guess;
       if (most < 1e-10) return p;
@@ -271,7 +272,8 @@ std::optional<Fit> fit(const Candidate& candidate, const Observations& o, const 
   if (!fitting.solve(p, residual)) return std::nullopt;
   const LinearRows rows = fitting.all_rows(p, residual);
   LinearSolution change = least_squares(rows);
-  if (const double now = largest(residual); !o.exact() && now > 1 && now < 3) change = least_maximum(rows, 100);
+  if (const double now = largest(residual); !o.exact() && now > 1 && now < 3)
+    change = least_maximum(rows, 100);
   std::vector<double> unknowns = p;
   for (const auto& axis : fitting.linear()) unknowns.insert(unknowns.end(), axis.begin(), axis.end());
   if (largest(change.residual) < largest(residual)) {

@@ -26,13 +26,14 @@ struct Fitted {
 struct Fit {
   using Triple = std::array<Fitted, 3>;
 
-  Fitted c, k;         ///< damping number, spring constant over the mass
+  Fitted c, k;          ///< damping number, spring constant over the mass
   Triple x0, v0, a, j;  ///< of each axis: a is the constant part of the acceleration
   Launch launch = Launch::velocity;
-  int free = 0;        ///< how many numbers were fitted
-  double worst = 0;    ///< the largest residual, in halves of a unit in the last place
+  int free = 0;      ///< how many numbers were fitted
+  double worst = 0;  ///< the largest residual, in halves of a unit in the last place
   double worst_position = 0, worst_velocity = 0;  ///< in the log's units
-  double log_likelihood = 0;  ///< each number was rounded: the chance that it was rounded to what stands there
+  double log_likelihood =
+      0;  ///< each number was rounded: the chance that it was rounded to what stands there
 };
 
 /// What is fitted besides the launch and the constant acceleration.
@@ -40,8 +41,8 @@ struct FitQuestion {
   bool damping = false;
   bool spring = false;
   Launch launch = Launch::velocity;
-  double rate = 0;       ///< guess of the damping, per second
-  double stiffness = 0;  ///< guess of k
+  double rate = 0;          ///< guess of the damping, per second
+  double stiffness = 0;     ///< guess of k
   bool invariants = false;  ///< whether trace and determinant of a frame are known
   double trace = 0, determinant = 0;
 };
@@ -51,7 +52,8 @@ struct FitQuestion {
 /// residual is then made as small as possible.
 ///
 /// shape   none where the map explodes or has no such parameter
-std::optional<Fit> fit(const Candidate& candidate, const Observations& observations, const FitQuestion& question);
+std::optional<Fit> fit(const Candidate& candidate, const Observations& observations,
+                       const FitQuestion& question);
 
 /// Damping rate and stiffness as differences of the positions show them, over a stride of rows.
 struct RateGuess {

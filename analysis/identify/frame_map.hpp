@@ -19,7 +19,9 @@ struct Combination {
     c.part.at(i) = 1;
     return c;
   }
-  Combination operator-() const { return each([](double a) { return -a; }); }
+  Combination operator-() const {
+    return each([](double a) { return -a; });
+  }
   friend Combination operator*(double s, const Combination& a) {
     return a.each([s](double x) { return s * x; });
   }
@@ -44,19 +46,19 @@ struct Combination {
   }
 };
 
-/// What acts on the body besides the integrator: x'' = A - k x - c v, and the number that the integrator's own
-/// parameter c has.
+/// What acts on the body besides the integrator: x'' = A - k x - c v, and the number that the integrator's
+/// own parameter c has.
 struct Circumstances {
   double dt = 0.02;
   double k = 0;
-  double own_c = 0;   ///< given to the parameter c; read only when `has_own_c`
+  double own_c = 0;  ///< given to the parameter c; read only when `has_own_c`
   bool has_own_c = false;
-  double drag = 0;    ///< as a force
-  int substeps = 1;   ///< steps of dt/substeps in one frame
+  double drag = 0;   ///< as a force
+  int substeps = 1;  ///< steps of dt/substeps in one frame
 };
 
-/// One frame of an integrator as a map, from one run of its program: where no limit acts, it is affine in what it
-/// carries and in the constant part A of the acceleration.
+/// One frame of an integrator as a map, from one run of its program: where no limit acts, it is affine in
+/// what it carries and in the constant part A of the acceleration.
 ///
 /// Columns: the carried vectors, then A, then an impulse (divided by the mass) that acts in the first frame.
 struct FrameMap {

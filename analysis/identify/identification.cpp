@@ -33,7 +33,8 @@ class Identifying {
     if (!log_.equal_steps) {
       result_.kind = Identification::Kind::unequal_steps;
       result_.advice =
-          "the frames are not equally long: no map of one fixed step made this. Record with a fixed step, or see what "
+          "the frames are not equally long: no map of one fixed step made this. Record with a fixed step, or "
+          "see what "
           "frames of unequal length do: shortfall jump --dt-file";
       return result_;
     }
@@ -52,7 +53,8 @@ class Identifying {
   void check_motion() const {
     for (const Log::Row& row : log_.rows)
       for (const int axis : log_.axes)
-        if (row.x[static_cast<std::size_t>(axis)] != log_.rows.front().x[static_cast<std::size_t>(axis)]) return;
+        if (row.x[static_cast<std::size_t>(axis)] != log_.rows.front().x[static_cast<std::size_t>(axis)])
+          return;
     throw Undefined("the body does not move: every map leaves it where it is");
   }
 
@@ -122,7 +124,8 @@ class Identifying {
     }
     try_all(o, questions);
     if (!matches_.empty() || !o.velocities) return;
-    // The launch may have been given after the first row was written: by a velocity that was set, or an impulse.
+    // The launch may have been given after the first row was written: by a velocity that was set, or an
+    // impulse.
     const Observations later = rows(first + 1, last);
     if (later.rows() < kFewestRows || !needed(later)) return;
     Observations set = o;
@@ -131,13 +134,15 @@ class Identifying {
     for (FitQuestion& question : questions) question.launch = Launch::impulse;
     try_all(o, questions);
     if (!matches_.empty()) {
-      result_.breaks.push_back({Break::Kind::first_frame, first, "the launch is not in this row: it came after it"});
+      result_.breaks.push_back(
+          {Break::Kind::first_frame, first, "the launch is not in this row: it came after it"});
       return;
     }
     for (FitQuestion& question : questions) question.launch = Launch::velocity;
     try_all(later, questions);
     if (!matches_.empty()) {
-      result_.breaks.push_back({Break::Kind::first_frame, first + 1, "the first frame is another: a limit, or a launch of its own"});
+      result_.breaks.push_back({Break::Kind::first_frame, first + 1,
+                                "the first frame is another: a limit, or a launch of its own"});
       result_.first = first + 1;
     }
   }
@@ -170,7 +175,8 @@ class Identifying {
       if (first + 8 > result_.last) break;
       const std::size_t end = longest(log_, dt, first, result_.last);
       if (end < first + 8 || end - first < (result_.last - first) / 8) continue;
-      // Any smooth motion has a short beginning that a map makes: what ends it must be known, or it is most of the log.
+      // Any smooth motion has a short beginning that a map makes: what ends it must be known, or it is most
+      // of the log.
       if (2 * (end - first) < result_.last - first &&
           (end >= result_.last || break_at(log_, dt, first, end).kind == Break::Kind::unexplained))
         continue;
@@ -178,7 +184,8 @@ class Identifying {
       explain(first, end);
       if (matches_.empty()) continue;
       if (skipped > 0) {
-        result_.breaks.push_back({Break::Kind::first_frame, first, "the rows before belong to something else"});
+        result_.breaks.push_back(
+            {Break::Kind::first_frame, first, "the rows before belong to something else"});
         result_.first = first;
       }
       if (end < result_.last) result_.breaks.push_back(break_at(log_, dt, result_.first, end));
@@ -187,7 +194,8 @@ class Identifying {
     }
   }
 
-  /// Velocities that stay the same while the positions go on in unequal steps: a slower simulation was looked at.
+  /// Velocities that stay the same while the positions go on in unequal steps: a slower simulation was looked
+  /// at.
   bool resampled() const {
     if (!log_.velocities) return false;
     std::size_t repeated = 0, moved = 0;
@@ -201,10 +209,10 @@ class Identifying {
 
   /// A damped spring that no arithmetic of a map makes bit by bit, and implicit Euler makes nearly.
   bool is_joint() const {
-    return result_.bits && log_.velocities &&
-           std::ranges::none_of(result_.matches, &Match::exact) &&
+    return result_.bits && log_.velocities && std::ranges::none_of(result_.matches, &Match::exact) &&
            std::ranges::any_of(result_.matches, [](const Match& m) {
-             return m.candidate.name() == "implicit-euler" && m.fit.k.value > 4 * m.fit.k.spread && m.fit.k.value > 0;
+             return m.candidate.name() == "implicit-euler" && m.fit.k.value > 4 * m.fit.k.spread &&
+                    m.fit.k.value > 0;
            });
   }
 
@@ -216,12 +224,13 @@ class Identifying {
     result_.matches = std::move(matches_);
     if (result_.matches.empty()) {
       result_.kind = resampled() ? Identification::Kind::resampled : Identification::Kind::none;
-      result_.advice =
-          resampled()
-              ? "the velocities stay the same from row to row while the positions go on: a body that is stepped more "
-                "slowly was looked at more often. Record once in each step of the engine"
-              : "no map of the family with one fixed step, a constant force, a damping and a spring made this: a joint, "
-                "a force of another kind, steps that change, or positions smoothed for drawing";
+      result_.advice = resampled()
+                           ? "the velocities stay the same from row to row while the positions go on: a body "
+                             "that is stepped more "
+                             "slowly was looked at more often. Record once in each step of the engine"
+                           : "no map of the family with one fixed step, a constant force, a damping and a "
+                             "spring made this: a joint, "
+                             "a force of another kind, steps that change, or positions smoothed for drawing";
       return;
     }
     result_.kind = Identification::Kind::map;
@@ -229,7 +238,8 @@ class Identifying {
       result_.kind = Identification::Kind::joint;
       std::erase_if(result_.matches, [](const Match& m) { return m.candidate.name() != "implicit-euler"; });
       result_.advice =
-          "no map makes the last bits of this log. A spring that an engine solves as a joint is implicit Euler, and so "
+          "no map makes the last bits of this log. A spring that an engine solves as a joint is implicit "
+          "Euler, and so "
           "near is this: the integrator itself shows in a motion without a joint";
     }
     std::vector<Candidate> found;
@@ -261,6 +271,8 @@ class Identifying {
 
 }  // namespace
 
-Identification identify(const Log& log, const IdentifyOptions& options) { return Identifying(log, options).result(); }
+Identification identify(const Log& log, const IdentifyOptions& options) {
+  return Identifying(log, options).result();
+}
 
 }  // namespace shortfall

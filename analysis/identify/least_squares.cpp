@@ -9,8 +9,8 @@ namespace shortfall {
 
 namespace {
 
-/// Normal equations with columns scaled to length 1, factored by Cholesky; columns that depend on those before
-/// them are left out.
+/// Normal equations with columns scaled to length 1, factored by Cholesky; columns that depend on those
+/// before them are left out.
 class Normal {
  public:
   Normal(const LinearRows& rows, const std::vector<double>& weights)
@@ -22,7 +22,8 @@ class Normal {
         if (row[i] != 0)
           for (std::size_t j = 0; j <= i; ++j) lower_[i * n_ + j] += w * row[i] * row[j];
     }
-    for (std::size_t i = 0; i < n_; ++i) scale_[i] = lower_[i * n_ + i] > 0 ? 1 / std::sqrt(lower_[i * n_ + i]) : 0;
+    for (std::size_t i = 0; i < n_; ++i)
+      scale_[i] = lower_[i * n_ + i] > 0 ? 1 / std::sqrt(lower_[i * n_ + i]) : 0;
     for (std::size_t i = 0; i < n_; ++i)
       for (std::size_t j = 0; j <= i; ++j) lower_[i * n_ + j] *= scale_[i] * scale_[j];
     for (std::size_t i = 0; i < n_; ++i) factor(i);

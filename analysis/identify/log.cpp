@@ -117,7 +117,8 @@ class Reader {
       const int place = columns_.place[static_cast<std::size_t>(Thing::x + axis)];
       if (place < 0) continue;
       log_.axes.push_back(axis);
-      if (!header_.empty()) log_.names[static_cast<std::size_t>(axis)] = header_[static_cast<std::size_t>(place)];
+      if (!header_.empty())
+        log_.names[static_cast<std::size_t>(axis)] = header_[static_cast<std::size_t>(place)];
     }
   }
 
@@ -227,7 +228,9 @@ class Reader {
     }
     constexpr std::size_t kFewest = 4;
     if (log_.rows.size() < kFewest)
-      complain("there " + std::string(log_.rows.size() == 1 ? "is one row" : "are " + std::to_string(log_.rows.size()) + " rows") +
+      complain("there " +
+               std::string(log_.rows.size() == 1 ? "is one row"
+                                                 : "are " + std::to_string(log_.rows.size()) + " rows") +
                "; what made a motion can be told from " + std::to_string(kFewest) + " rows or more");
     log_.position_rounding = positions_.rounding();
     log_.velocity_rounding = log_.velocities ? speeds_.rounding() : log_.position_rounding;
@@ -256,7 +259,8 @@ class Reader {
     log_.shortest_step = log_.longest_step = log_.rows[1].time - log_.rows[0].time;
     const double whole = log_.rows.back().time - log_.rows.front().time;
     const bool counted = columns_.has(Thing::frame);
-    const double mean = whole / static_cast<double>(counted ? log_.rows.back().frame : static_cast<long>(log_.rows.size()) - 1);
+    const double mean = whole / static_cast<double>(counted ? log_.rows.back().frame
+                                                            : static_cast<long>(log_.rows.size()) - 1);
     for (std::size_t i = 1; i < log_.rows.size(); ++i) {
       double step = log_.rows[i].time - log_.rows[i - 1].time;
       if (counted) step /= static_cast<double>(log_.rows[i].frame - log_.rows[i - 1].frame);

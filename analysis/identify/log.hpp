@@ -38,25 +38,25 @@ struct Log {
   struct Row {
     Triple x{};
     Triple v{};
-    double time = 0;   ///< seconds, where there are stamps
-    long frame = 0;    ///< counted from the first row
-    int line = 0;      ///< of the file
+    double time = 0;  ///< seconds, where there are stamps
+    long frame = 0;   ///< counted from the first row
+    int line = 0;     ///< of the file
   };
 
   std::string file;
-  std::vector<int> axes;                                ///< of 0, 1, 2: those that have a column
-  std::array<std::string, 3> names{"x", "y", "z"};      ///< of the columns of positions
+  std::vector<int> axes;                            ///< of 0, 1, 2: those that have a column
+  std::array<std::string, 3> names{"x", "y", "z"};  ///< of the columns of positions
   bool velocities = false;
   Rounding position_rounding;
   Rounding velocity_rounding;
-  Rational units_in_metre = 1;       ///< 100 when lengths are in cm; 1 when the unit is not known
+  Rational units_in_metre = 1;  ///< 100 when lengths are in cm; 1 when the unit is not known
   std::string unit = "m";
-  std::optional<Rational> dt;        ///< seconds; where the stamps say it
-  bool equal_steps = true;           ///< false: the time stamps are not equally far apart
+  std::optional<Rational> dt;  ///< seconds; where the stamps say it
+  bool equal_steps = true;     ///< false: the time stamps are not equally far apart
   double shortest_step = 0, longest_step = 0;
   std::vector<Row> rows;
-  bool more = false;                 ///< the file goes on; only the first kMostRows frames were read
-  std::vector<std::string> bodies;   ///< when there are several: all of them, the one that was read first
+  bool more = false;                ///< the file goes on; only the first kMostRows frames were read
+  std::vector<std::string> bodies;  ///< when there are several: all of them, the one that was read first
 };
 
 inline constexpr std::size_t kMostRows = 4096;

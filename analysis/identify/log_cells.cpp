@@ -17,7 +17,8 @@ void collect(const JsonValue& value, const std::string& name, std::vector<JsonCe
   if (value.kind == Kind::object) {
     for (const auto& [key, member] : value.members) collect(member, inner(key.text), cells);
   } else if (value.kind == Kind::array) {
-    for (std::size_t i = 0; i < value.items.size(); ++i) collect(value.items[i], inner(std::to_string(i)), cells);
+    for (std::size_t i = 0; i < value.items.size(); ++i)
+      collect(value.items[i], inner(std::to_string(i)), cells);
   } else if (value.kind == Kind::number || value.kind == Kind::string) {
     cells.push_back({name, value.text});
   }

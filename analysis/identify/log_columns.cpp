@@ -38,7 +38,8 @@ Header header_of(const std::string& text) {
     const std::size_t from = name.find(open), to = name.find(close);
     if (from == std::string::npos || to == std::string::npos || to < from) continue;
     const std::string inside = name.substr(from + 1, to - from - 1);
-    const bool index = !inside.empty() && std::ranges::all_of(inside, [](char c) { return c >= '0' && c <= '9'; });
+    const bool index =
+        !inside.empty() && std::ranges::all_of(inside, [](char c) { return c >= '0' && c <= '9'; });
     if (index) continue;
     result.unit = inside;
     name.erase(from, to - from + 1);
@@ -66,7 +67,8 @@ bool ends_in(const std::string& word, std::initializer_list<const char*> words) 
 
 /// What a name means; nothing for other columns, which are not read.
 std::optional<Thing> meaning(const std::string& key) {
-  if (one_of(key, {"frame", "frames", "step", "tick", "n", "i", "index", "framenumber", "frameno", "frameid"}))
+  if (one_of(key,
+             {"frame", "frames", "step", "tick", "n", "i", "index", "framenumber", "frameno", "frameid"}))
     return LogColumns::frame;
   if (one_of(key, {"time", "t", "timestamp", "seconds", "sec", "simtime", "elapsed", "stamp"}))
     return LogColumns::time;

@@ -15,8 +15,8 @@ class RoundingWatch {
 
  private:
   long seen_ = 0;
-  long narrow_ = 0;               ///< those that a binary32 is written as
-  int most_significant_ = 0;      ///< digits of the longest
+  long narrow_ = 0;           ///< those that a binary32 is written as
+  int most_significant_ = 0;  ///< digits of the longest
   int most_decimals_ = 0;
   std::array<long, 32> decimals_{};  ///< how often so many digits stand after the point
 };

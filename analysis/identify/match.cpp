@@ -16,9 +16,8 @@ constexpr int kNeighbours = 80;  // of a launch that was not recorded, in units 
 
 /// The shortest decimal within a distance, or the simplest fraction where that is much simpler.
 std::optional<Rational> nice(const Fitted& number, double bias) {
-  const double reach = std::isfinite(number.spread)
-                           ? 4 * number.spread + bias + 4e-15 * std::fabs(number.value)
-                           : 0;
+  const double reach =
+      std::isfinite(number.spread) ? 4 * number.spread + bias + 4e-15 * std::fabs(number.value) : 0;
   if (std::fabs(number.value) <= reach || number.value == 0) return Rational(0);
   if (!(reach > 0) || reach > 0.02 * std::fabs(number.value)) return std::nullopt;
   const Rational fraction = simplest(number.value, reach);
@@ -62,17 +61,19 @@ class Matching {
         return true;
       });
       flight.arithmetic = Arithmetic::binary32;
-      fly(candidate_, o_.frame, o_.dt, flight, [&](std::size_t row, const Log::Triple& x, const Log::Triple& v) {
-        for (const int axis : o_.axes) {
-          const auto i = static_cast<std::size_t>(axis);
-          most = std::max(most, std::fabs(x[i] - xs[row][i]) / x_unit);
-          if (o_.velocities) most = std::max(most, std::fabs(v[i] - vs[row][i]) / v_unit);
-        }
-        return true;
-      });
+      fly(candidate_, o_.frame, o_.dt, flight,
+          [&](std::size_t row, const Log::Triple& x, const Log::Triple& v) {
+            for (const int axis : o_.axes) {
+              const auto i = static_cast<std::size_t>(axis);
+              most = std::max(most, std::fabs(x[i] - xs[row][i]) / x_unit);
+              if (o_.velocities) most = std::max(most, std::fabs(v[i] - vs[row][i]) / v_unit);
+            }
+            return true;
+          });
     }
-    const double nominal = 0x1p-24 * std::sqrt(static_cast<double>(o_.frames())) *
-                           std::max(o_.largest_position() / x_unit, o_.velocities ? o_.largest_velocity() / v_unit : 0);
+    const double nominal =
+        0x1p-24 * std::sqrt(static_cast<double>(o_.frames())) *
+        std::max(o_.largest_position() / x_unit, o_.velocities ? o_.largest_velocity() / v_unit : 0);
     // A method may lose far more than that to rounding; such a one says nothing about a log.
     return std::min(std::max(most, nominal), 30 * nominal) * narrow;
   }
@@ -82,7 +83,9 @@ class Matching {
     const Fit& fit = match_.fit;
     // Errors of one sign in each addition of a frame look like another parameter.
     const double unit = narrow() || !o_.exact() ? 0x1p-24 : 0x1p-53;
-    const double speed = o_.velocities ? o_.largest_velocity() : 2 * o_.largest_position() / (o_.dt * static_cast<double>(o_.frames()));
+    const double speed = o_.velocities
+                             ? o_.largest_velocity()
+                             : 2 * o_.largest_position() / (o_.dt * static_cast<double>(o_.frames()));
     match_.c = nice(fit.c, unit / o_.dt);
     match_.k = nice(fit.k, unit / (o_.dt * o_.dt));
     f.c = match_.c ? match_.c->to_double() : fit.c.value;
@@ -102,7 +105,8 @@ class Matching {
   /// Looks for numbers with which the map makes the log bit by bit.
   void search() {
     std::vector<Arithmetic> arithmetics = {match_.flight.arithmetic};
-    if (match_.flight.arithmetic == Arithmetic::binary32) arithmetics.push_back(Arithmetic::binary64_stored_32);
+    if (match_.flight.arithmetic == Arithmetic::binary32)
+      arithmetics.push_back(Arithmetic::binary64_stored_32);
     for (const Arithmetic arithmetic : arithmetics)
       for (const Flight& split : splits())
         for (const Adding adding : addings(split))
@@ -131,7 +135,8 @@ class Matching {
       for (const int axis : o_.axes) {
         const auto i = static_cast<std::size_t>(axis);
         const Rational pull = axis == known_.up ? -simplest(g, 1e-12 * g) : Rational(0);
-        f.force[i] = match_.a[i] ? (*match_.a[i] - pull).to_double() : match_.flight.gravity[i] - pull.to_double();
+        f.force[i] =
+            match_.a[i] ? (*match_.a[i] - pull).to_double() : match_.flight.gravity[i] - pull.to_double();
         f.gravity[i] = pull.to_double();
       }
       result.push_back(f);
@@ -140,8 +145,9 @@ class Matching {
     result.push_back(match_.flight);
     if (known_.g) return result;
     const auto up = static_cast<std::size_t>(known_.up);
-    const bool pushed = std::ranges::any_of(
-        o_.axes, [&](int axis) { return axis != known_.up && match_.flight.gravity[static_cast<std::size_t>(axis)] != 0; });
+    const bool pushed = std::ranges::any_of(o_.axes, [&](int axis) {
+      return axis != known_.up && match_.flight.gravity[static_cast<std::size_t>(axis)] != 0;
+    });
     if (pushed || (match_.flight.gravity[up] != 0 && match_.flight.k == 0))
       for (const double g : kStandardGravities)
         if (std::fabs(match_.flight.gravity[up] + g) > 1e-9) split(g);
@@ -163,9 +169,11 @@ class Matching {
 
   /// Whether there is a launch that makes the log; a launch that was recorded is it.
   bool launched(Flight& flight) const {
-    if (velocity_known() && flight.launch == Launch::velocity) return compare(candidate_, o_, flight, -1, false).exact;
+    if (velocity_known() && flight.launch == Launch::velocity)
+      return compare(candidate_, o_, flight, -1, false).exact;
     for (const int axis : o_.axes) {
-      double& number = (flight.launch == Launch::impulse ? flight.impulse : flight.v0)[static_cast<std::size_t>(axis)];
+      double& number =
+          (flight.launch == Launch::impulse ? flight.impulse : flight.v0)[static_cast<std::size_t>(axis)];
       const double middle = number;
       if (velocity_known() == false && flight.launch == Launch::impulse)
         flight.v0[static_cast<std::size_t>(axis)] = 0;

@@ -16,8 +16,8 @@ struct Known {
 
 /// One candidate beside the rows: fitted; where they hold all bits, run in the arithmetic of engines with the
 /// simplest numbers that the fit allows.
-std::optional<Match> match(const Candidate& candidate, const Observations& observations, const FitQuestion& question,
-                           const Known& known);
+std::optional<Match> match(const Candidate& candidate, const Observations& observations,
+                           const FitQuestion& question, const Known& known);
 
 /// The simplest rational number within a distance: the one with the least denominator.
 Rational simplest(double value, double distance);

@@ -24,7 +24,8 @@ Port port(const PortQuestion& q) {
   const double dt = q.from_dt.to_double();
   const FrameMap map = frame_map(*q.from.tape, q.from.circumstances(dt, q.c, q.k));
   const double longest = q.k != 0 ? 4 * 2 * 3.141592653589793 / std::sqrt(q.k) : 4 * q.launch / q.g + 1;
-  const auto frames = static_cast<std::size_t>(std::clamp(longest / dt, 8 * stride, static_cast<double>(kMostFrames)));
+  const auto frames =
+      static_cast<std::size_t>(std::clamp(longest / dt, 8 * stride, static_cast<double>(kMostFrames)));
   const Responses r = responses(map, frames + 1);
   Observations o;
   o.axes = {1};
@@ -47,7 +48,8 @@ Port port(const PortQuestion& q) {
   FitQuestion question;
   question.damping = q.c != 0;
   question.spring = q.k != 0;
-  question.rate = q.c != 0 ? -std::log(std::max(map.step[1].part[1] + (q.k != 0 ? q.k * dt * dt : 0), 1e-9)) / dt : 0;
+  question.rate =
+      q.c != 0 ? -std::log(std::max(map.step[1].part[1] + (q.k != 0 ? q.k * dt * dt : 0), 1e-9)) / dt : 0;
   question.stiffness = q.k;
   const std::optional<Fit> found = fit(q.to, o, question);
   if (!found) throw Unable("the second engine cannot make this motion: it explodes");

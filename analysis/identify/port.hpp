@@ -9,10 +9,10 @@ namespace shortfall {
 struct PortQuestion {
   Candidate from, to;
   Rational from_dt, to_dt;
-  double launch = 0;   ///< upwards
+  double launch = 0;  ///< upwards
   double g = 9.81;
-  double c = 0;        ///< damping number of the first engine
-  double k = 0;        ///< of a spring to the origin, over the mass
+  double c = 0;  ///< damping number of the first engine
+  double k = 0;  ///< of a spring to the origin, over the mass
 };
 
 /// The numbers that give the same motion in the other engine.

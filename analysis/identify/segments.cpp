@@ -27,7 +27,8 @@ bool same_place(const Log& log, std::size_t a, std::size_t b) {
 bool fits(const Fit& f, const Observations& o) {
   const double narrow = o.rounding.kind == Rounding::Kind::binary64 ? 0x1p-53 : 0x1p-24;
   const double n = static_cast<double>(o.frames());
-  // A velocity that loses half a unit in every frame is off by n/2 units in the end, and the position by their sum.
+  // A velocity that loses half a unit in every frame is off by n/2 units in the end, and the position by
+  // their sum.
   const double step = o.frames() > 1 ? o.largest_position() : 0;
   const double noise = narrow * (o.largest_position() + step) * (8 + 0.5 * n);
   const double half = o.rounding.exact() ? 0 : o.half_position(o.largest_position());
@@ -84,7 +85,8 @@ void trim(const Log& log, std::size_t& first, std::size_t& last, std::vector<Bre
   std::size_t end = last;
   while (end > first + 1 && same_place(log, end - 1, end - 2)) --end;
   if (last - end >= kStill - 1) {
-    breaks.push_back({Break::Kind::sleep, end, "from here on the body stands still: it was put to sleep, or it lies"});
+    breaks.push_back(
+        {Break::Kind::sleep, end, "from here on the body stands still: it was put to sleep, or it lies"});
     last = end;
   }
 }
@@ -103,7 +105,8 @@ Break break_at(const Log& log, double dt, std::size_t first, std::size_t row) {
   Break result{Break::Kind::unexplained, row, "from here on the log shows something else"};
   const std::size_t n = log.rows.size();
   if (row + 1 < n && log.velocities && speed(log, row) > 0 &&
-      std::fabs(speed(log, row + 1) / speed(log, row) - 1) < 1e-6 && std::fabs(speed(log, row - 1) - speed(log, row)) > 1e-6)
+      std::fabs(speed(log, row + 1) / speed(log, row) - 1) < 1e-6 &&
+      std::fabs(speed(log, row - 1) - speed(log, row)) > 1e-6)
     return {Break::Kind::limit, row, "from here on the speed stays the same: it has reached a limit"};
   for (const int axis : log.axes) {
     const auto i = static_cast<std::size_t>(axis);

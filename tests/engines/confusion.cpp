@@ -57,7 +57,8 @@ bool is_true(const Candidate& c, const Recording& r) {
 bool faithful(const Log& log, const Identification& found, const Match& m) {
   Observations o = observations(log, found.dt.to_double(), found.first, found.last);
   for (const Break& b : found.breaks)
-    if (b.kind == Break::Kind::first_frame && b.row == found.first && m.fit.launch == Launch::velocity) o.first_velocity = false;
+    if (b.kind == Break::Kind::first_frame && b.row == found.first && m.fit.launch == Launch::velocity)
+      o.first_velocity = false;
   if (m.exact) return compare(m.candidate, o, m.flight).exact;
   return m.ulp <= m.allowed;
 }
@@ -81,14 +82,18 @@ Verdict verdict(const Recording& r, const std::string& csv, const Blur& blur) {
       v.unfaithful += !faithful(log, found, m);
     }
     if (foreign(r) && (!truth || found.kind != Identification::Kind::map))
-      v.kind = engines && found.kind == Identification::Kind::map ? Verdict::Kind::wrong : Verdict::Kind::as_such;
+      v.kind =
+          engines && found.kind == Identification::Kind::map ? Verdict::Kind::wrong : Verdict::Kind::as_such;
     else if (found.matches.empty())
       v.kind = Verdict::Kind::missed;
     else if (!truth)
       v.kind = Verdict::Kind::wrong;
     else
       v.kind = found.identifiable ? Verdict::Kind::identified : Verdict::Kind::undecided;
-    if (found.matches.empty()) v.answer = found.nearest.empty() ? found.advice : "nearest " + found.nearest[0].candidate.str() + " " + std::to_string(found.nearest[0].ulp);
+    if (found.matches.empty())
+      v.answer = found.nearest.empty() ? found.advice
+                                       : "nearest " + found.nearest[0].candidate.str() + " " +
+                                             std::to_string(found.nearest[0].ulp);
   } catch (const Error& e) {
     v.kind = Verdict::Kind::refused;
     v.answer = e.what();
@@ -111,15 +116,21 @@ std::string confusion_table(const std::vector<Verdict>& verdicts) {
   std::string text = "engine                identified undecided as such  missed   wrong refused\n";
   char line[400];
   for (auto& [engine, count] : counts) {
-    std::snprintf(line, sizeof line, "%-22s %9d %9d %7d %7d %7d %7d\n", engine.c_str(), count[Kind::identified],
-                  count[Kind::undecided], count[Kind::as_such], count[Kind::missed], count[Kind::wrong], count[Kind::refused]);
+    std::snprintf(line, sizeof line, "%-22s %9d %9d %7d %7d %7d %7d\n", engine.c_str(),
+                  count[Kind::identified], count[Kind::undecided], count[Kind::as_such], count[Kind::missed],
+                  count[Kind::wrong], count[Kind::refused]);
     text += line;
   }
-  std::snprintf(line, sizeof line, "listed maps that do not reproduce their log: %zu; the slowest took %.2f s\n", unfaithful, seconds);
+  std::snprintf(line, sizeof line,
+                "listed maps that do not reproduce their log: %zu; the slowest took %.2f s\n", unfaithful,
+                seconds);
   text += line;
   for (const Verdict& v : verdicts) {
     if (v.kind != Kind::wrong && v.kind != Kind::missed && v.kind != Kind::refused) continue;
-    text += std::string(v.kind == Kind::wrong ? "wrong   " : v.kind == Kind::missed ? "missed  " : "refused ") + v.file + ": " + v.answer + "\n";
+    text += std::string(v.kind == Kind::wrong    ? "wrong   "
+                        : v.kind == Kind::missed ? "missed  "
+                                                 : "refused ") +
+            v.file + ": " + v.answer + "\n";
   }
   return text;
 }

@@ -26,7 +26,7 @@ struct Verdict {
   };
   Kind kind = Kind::missed;
   std::string file, engine;
-  std::string answer;        ///< the first maps that were listed
+  std::string answer;  ///< the first maps that were listed
   std::size_t listed = 0;
   std::size_t unfaithful = 0;  ///< maps that are listed and do not reproduce the log when they are run again
   double seconds = 0;

@@ -16,7 +16,8 @@ namespace shortfall {
 namespace {
 
 /// A log of a map's flight, as a program would write it.
-std::string log_of(const Candidate& c, const Flight& flight, double dt, std::size_t rows, int decimals, bool velocities) {
+std::string log_of(const Candidate& c, const Flight& flight, double dt, std::size_t rows, int decimals,
+                   bool velocities) {
   std::string text = velocities ? "time,y,vy\n" : "time,y\n";
   std::vector<std::size_t> frames(rows);
   for (std::size_t i = 0; i < rows; ++i) frames[i] = i;
@@ -121,11 +122,13 @@ TEST_CASE("what does not move says nothing, and what no map makes is answered so
   CHECK_THROWS_AS(identify(parse_log("y\n1\n1\n1\n1\n1\n", "log")), Undefined);
   std::string text = "time,y\n";
   std::mt19937 random(3);
-  for (int i = 0; i < 40; ++i) text += std::to_string(0.02 * i) + "," + std::to_string(random() % 1000) + ".125\n";
+  for (int i = 0; i < 40; ++i)
+    text += std::to_string(0.02 * i) + "," + std::to_string(random() % 1000) + ".125\n";
   const Identification found = identify(parse_log(text, "log"));
   CHECK(found.kind == Identification::Kind::none);
   CHECK(found.matches.empty());
-  CHECK(identify(parse_log("time,y\n0,1\n0.01,2\n0.03,3\n0.035,4\n0.05,1\n", "log")).kind == Identification::Kind::unequal_steps);
+  CHECK(identify(parse_log("time,y\n0,1\n0.01,2\n0.03,3\n0.035,4\n0.05,1\n", "log")).kind ==
+        Identification::Kind::unequal_steps);
 }
 
 }  // namespace

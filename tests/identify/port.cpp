@@ -59,7 +59,8 @@ TEST_CASE("another tick rate: the frames in common are the same") {
 }
 
 TEST_CASE("peaks of 165, 150 and 142.5 px are first order towards 135, of a step that drifts first") {
-  const ByDt r = by_dt({{Rational(1, 30), 165}, {Rational(1, 60), 150}, {Rational(1, 120), Rational(285, 2)}});
+  const ByDt r =
+      by_dt({{Rational(1, 30), 165}, {Rational(1, 60), 150}, {Rational(1, 120), Rational(285, 2)}});
   CHECK(r.order == 1);
   CHECK(r.whole_order);
   CHECK(r.limit == doctest::Approx(135));
@@ -71,7 +72,9 @@ TEST_CASE("peaks of 165, 150 and 142.5 px are first order towards 135, of a step
 }
 
 TEST_CASE("second order is seen as such") {
-  const ByDt r = by_dt({{Rational(1, 10), Rational(104, 100)}, {Rational(1, 20), Rational(101, 100)}, {Rational(1, 40), Rational(10025, 10000)}});
+  const ByDt r = by_dt({{Rational(1, 10), Rational(104, 100)},
+                        {Rational(1, 20), Rational(101, 100)},
+                        {Rational(1, 40), Rational(10025, 10000)}});
   CHECK(r.order == 2);
   CHECK(r.limit == doctest::Approx(1));
 }

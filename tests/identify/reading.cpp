@@ -21,7 +21,9 @@ std::string refusal(const std::string& text, const LogOptions& options = {}) {
 }
 
 TEST_CASE("columns are known by their names, whatever stands between them") {
-  const Log log = parse_log("frame,time,x,y,z,vx,vy,vz\n0,0,1,2,3,4,5,6\n1,0.5,1,2,3,4,5,6\n2,1,1,2,3,4,5,6\n3,1.5,1,2,3,4,5,6\n", "log");
+  const Log log = parse_log(
+      "frame,time,x,y,z,vx,vy,vz\n0,0,1,2,3,4,5,6\n1,0.5,1,2,3,4,5,6\n2,1,1,2,3,4,5,6\n3,1.5,1,2,3,4,5,6\n",
+      "log");
   CHECK(log.axes == std::vector<int>{0, 1, 2});
   CHECK(log.velocities);
   REQUIRE(log.dt);
@@ -53,18 +55,23 @@ TEST_CASE("without a header the number of columns says what they are") {
 TEST_CASE("JSON lines, with lists inside") {
   const Log log = parse_log(
       "{\"t\": 0, \"position\": [0, 1.5, 0]}\n{\"t\": 0.02, \"position\": [0, 1.6, 0]}\n"
-      "{\"t\": 0.04, \"position\": [0, 1.7, 0]}\n{\"t\": 0.06, \"position\": [0, 1.75, 0]}\n", "log");
+      "{\"t\": 0.04, \"position\": [0, 1.7, 0]}\n{\"t\": 0.06, \"position\": [0, 1.75, 0]}\n",
+      "log");
   CHECK(log.axes == std::vector<int>{0, 1, 2});
   CHECK(log.rows[1].x[1] == 1.6);
 }
 
 TEST_CASE("how numbers were rounded is seen") {
-  CHECK(parse_log("y\n0.0521045662\n0.100285135\n0.144541711\n0.2\n", "log").position_rounding.kind == Rounding::Kind::binary32);
-  CHECK(parse_log("y\n0.052104566200000001\n0.10028513499999999\n0.14\n0.2\n", "log").position_rounding.kind == Rounding::Kind::binary64);
+  CHECK(parse_log("y\n0.0521045662\n0.100285135\n0.144541711\n0.2\n", "log").position_rounding.kind ==
+        Rounding::Kind::binary32);
+  CHECK(
+      parse_log("y\n0.052104566200000001\n0.10028513499999999\n0.14\n0.2\n", "log").position_rounding.kind ==
+      Rounding::Kind::binary64);
   const Rounding fixed = parse_log("y\n0.0521\n0.1003\n10.1445\n0.2000\n", "log").position_rounding;
   CHECK(fixed.kind == Rounding::Kind::decimals);
   CHECK(fixed.half(7) == doctest::Approx(0.00005));
-  const Rounding printed = parse_log("y\n1.23456\n12.3456\n123.457\n0.123456\n1234.57\n", "log").position_rounding;
+  const Rounding printed =
+      parse_log("y\n1.23456\n12.3456\n123.457\n0.123456\n1234.57\n", "log").position_rounding;
   CHECK(printed.kind == Rounding::Kind::significant);
   CHECK(printed.half(123.457) == doctest::Approx(0.0005));
 }

@@ -31,7 +31,10 @@ int main(int count, char** words) {
       folder = word;
   }
   if (folder.empty()) {
-    std::fputs("Usage: confusion FOLDER [--decimals N] [--positions] [--every K]   (a folder with a manifest.json)\n", stderr);
+    std::fputs(
+        "Usage: confusion FOLDER [--decimals N] [--positions] [--every K]   (a folder with a "
+        "manifest.json)\n",
+        stderr);
     return 2;
   }
   try {
@@ -43,7 +46,8 @@ int main(int count, char** words) {
       for (std::size_t i = from; i < all.size(); i += 2) {
         std::ifstream in(folder + "/" + all[i].file, std::ios::binary);
         verdicts[i] = verdict(all[i], std::string(std::istreambuf_iterator<char>(in), {}), blur);
-        std::fprintf(stderr, "%s: %s (%.2f s)\n", all[i].file.c_str(), verdicts[i].answer.c_str(), verdicts[i].seconds);
+        std::fprintf(stderr, "%s: %s (%.2f s)\n", all[i].file.c_str(), verdicts[i].answer.c_str(),
+                     verdicts[i].seconds);
       }
     };
     std::thread other(work, 1);
