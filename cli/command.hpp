@@ -81,6 +81,9 @@ void add_extremes(CLI::App& app, int& code);
 void add_damping(CLI::App& app, int& code);
 void add_spring(CLI::App& app, int& code);
 void add_export(CLI::App& app, int& code);
+void add_identify(CLI::App& app, int& code);
+void add_port(CLI::App& app, int& code);
+void add_guard(CLI::App& app, int& code);
 
 /// A new command: its group in the help, examples first.
 CLI::App* new_command(CLI::App& app, const std::string& group, const std::string& name,

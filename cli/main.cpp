@@ -36,6 +36,9 @@ int run(int argc, char** argv) {
   add_advise(app, code);
   add_damping(app, code);
   add_spring(app, code);
+  add_identify(app, code);
+  add_port(app, code);
+  add_guard(app, code);
   add_list(app, code);
   add_show(app, code);
   add_new(app, code);

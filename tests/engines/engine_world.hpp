@@ -10,7 +10,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/rational.hpp"
 #include "analysis/problems/functions.hpp"
-#include "tests/engines/components.hpp"
+#include "analysis/identify/components.hpp"
 #include "tests/engines/recording.hpp"
 
 namespace shortfall::engines {

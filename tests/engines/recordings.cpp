@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "analysis/algebra/error.hpp"
-#include "tests/engines/components.hpp"
+#include "analysis/identify/components.hpp"
 #include "tests/engines/recording.hpp"
 
 namespace shortfall::engines {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace shortfall::engines {
+namespace shortfall {
 
 /// When an engine adds gravity and the user's force. In exact arithmetic it makes no difference, and so an
 /// integrator's file knows only their sum a; but each way rounds elsewhere.
@@ -84,4 +84,4 @@ class Components {
   Adding adding_ = Adding::at_once;
 };
 
-}  // namespace shortfall::engines
+}  // namespace shortfall

@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/identify/match.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "analysis/algebra/error.hpp"
+#include "analysis/algebra/real_roots.hpp"
+
+namespace shortfall {
+
+namespace {
+
+constexpr double kStandardGravities[] = {9.81, 9.80665, 9.8, 10};
+constexpr int kNeighbours = 80;  // of a launch that was not recorded, in units of its last place
+
+/// The shortest decimal within a distance, or the simplest fraction where that is much simpler.
+std::optional<Rational> nice(const Fitted& number, double bias) {
+  const double reach =
+      std::isfinite(number.spread) ? 4 * number.spread + bias + 4e-15 * std::fabs(number.value) : 0;
+  if (std::fabs(number.value) <= reach || number.value == 0) return Rational(0);
+  if (!(reach > 0) || reach > 0.02 * std::fabs(number.value)) return std::nullopt;
+  const Rational fraction = simplest(number.value, reach);
+  const double digits = 2 * std::log10(fraction.denominator().to_double()) + 0.3;
+  for (int d = 0; d <= digits && d < 16; ++d) {
+    const double scale = std::pow(10.0, d);
+    const double whole = std::round(number.value * scale);
+    if (std::fabs(whole) < 9e15 && std::fabs(whole / scale - number.value) <= reach)
+      return Rational(static_cast<std::int64_t>(whole), static_cast<std::int64_t>(scale));
+  }
+  return fraction;
+}
+
+double neighbour(double value, int steps, bool narrow) {
+  for (int i = 0; i < std::abs(steps); ++i) {
+    const double to = steps > 0 ? HUGE_VAL : -HUGE_VAL;
+    value = narrow ? static_cast<double>(std::nextafter(static_cast<float>(value), static_cast<float>(to)))
+                   : std::nextafter(value, to);
+  }
+  return value;
+}
+
+class Matching {
+ public:
+  Matching(const Candidate& candidate, const Observations& o, const Known& known, Match& match)
+      : candidate_(candidate), o_(o), known_(known), match_(match) {}
+
+  /// The largest difference that arithmetic explains, in units of the last place.
+  double noise() const {
+    const double x_unit = 2 * o_.half_position(o_.largest_position());
+    const double v_unit = o_.velocities ? 2 * o_.half_velocity(o_.largest_velocity()) : 1;
+    const double narrow = o_.rounding.kind == Rounding::Kind::binary64 ? 0x1p-29 : 1;
+    double most = 0;
+    if (candidate_.tape->solves.empty()) {
+      std::vector<Log::Triple> xs, vs;
+      Flight flight = match_.flight;
+      flight.arithmetic = Arithmetic::binary64;
+      fly(candidate_, o_.frame, o_.dt, flight, [&](std::size_t, const Log::Triple& x, const Log::Triple& v) {
+        xs.push_back(x);
+        vs.push_back(v);
+        return true;
+      });
+      flight.arithmetic = Arithmetic::binary32;
+      fly(candidate_, o_.frame, o_.dt, flight,
+          [&](std::size_t row, const Log::Triple& x, const Log::Triple& v) {
+            for (const int axis : o_.axes) {
+              const auto i = static_cast<std::size_t>(axis);
+              most = std::max(most, std::fabs(x[i] - xs[row][i]) / x_unit);
+              if (o_.velocities) most = std::max(most, std::fabs(v[i] - vs[row][i]) / v_unit);
+            }
+            return true;
+          });
+    }
+    const double nominal =
+        0x1p-24 * std::sqrt(static_cast<double>(o_.frames())) *
+        std::max(o_.largest_position() / x_unit, o_.velocities ? o_.largest_velocity() / v_unit : 0);
+    // A method may lose far more than that to rounding; such a one says nothing about a log.
+    return std::min(std::max(most, nominal), 30 * nominal) * narrow;
+  }
+
+  void set_flight() {
+    Flight& f = match_.flight;
+    const Fit& fit = match_.fit;
+    // Errors of one sign in each addition of a frame look like another parameter.
+    const double unit = narrow() || !o_.exact() ? 0x1p-24 : 0x1p-53;
+    const double speed = o_.velocities
+                             ? o_.largest_velocity()
+                             : 2 * o_.largest_position() / (o_.dt * static_cast<double>(o_.frames()));
+    match_.c = nice(fit.c, unit / o_.dt);
+    match_.k = nice(fit.k, unit / (o_.dt * o_.dt));
+    f.c = match_.c ? match_.c->to_double() : fit.c.value;
+    f.k = match_.k ? match_.k->to_double() : fit.k.value;
+    f.launch = fit.launch;
+    for (const int axis : o_.axes) {
+      const auto i = static_cast<std::size_t>(axis);
+      match_.a[i] = nice(fit.a[i], unit * speed / o_.dt + fit.k.value * unit * o_.largest_position());
+      f.gravity[i] = match_.a[i] ? match_.a[i]->to_double() : fit.a[i].value;
+      f.x0[i] = o_.exact() ? o_.x[0][i] : fit.x0[i].value;
+      f.v0[i] = o_.exact() && velocity_known() ? o_.v[0][i] : fit.v0[i].value;
+      f.impulse[i] = fit.j[i].value;
+    }
+    f.arithmetic = o_.rounding.kind == Rounding::Kind::binary32 ? Arithmetic::binary32 : Arithmetic::binary64;
+  }
+
+  /// Looks for numbers with which the map makes the log bit by bit.
+  void search() {
+    std::vector<Arithmetic> arithmetics = {match_.flight.arithmetic};
+    if (match_.flight.arithmetic == Arithmetic::binary32)
+      arithmetics.push_back(Arithmetic::binary64_stored_32);
+    for (const Arithmetic arithmetic : arithmetics)
+      for (const Flight& split : splits())
+        for (const Adding adding : addings(split))
+          for (const double c : damping_numbers()) {
+            Flight flight = split;
+            flight.arithmetic = arithmetic;
+            flight.adding = adding;
+            flight.c = c;
+            if (!launched(flight)) continue;
+            match_.flight = flight;
+            match_.exact = true;
+            match_.ulp = 0;
+            return;
+          }
+  }
+
+ private:
+  bool velocity_known() const { return o_.velocities && o_.first_velocity; }
+  bool narrow() const { return o_.rounding.kind == Rounding::Kind::binary32; }
+
+  /// Gravity and force are two summands for an engine; a log shows their sum.
+  std::vector<Flight> splits() const {
+    std::vector<Flight> result;
+    const auto split = [&](double g) {
+      Flight f = match_.flight;
+      for (const int axis : o_.axes) {
+        const auto i = static_cast<std::size_t>(axis);
+        const Rational pull = axis == known_.up ? -simplest(g, 1e-12 * g) : Rational(0);
+        f.force[i] =
+            match_.a[i] ? (*match_.a[i] - pull).to_double() : match_.flight.gravity[i] - pull.to_double();
+        f.gravity[i] = pull.to_double();
+      }
+      result.push_back(f);
+    };
+    if (known_.g && *known_.g > 0) split(*known_.g);
+    result.push_back(match_.flight);
+    if (known_.g) return result;
+    const auto up = static_cast<std::size_t>(known_.up);
+    const bool pushed = std::ranges::any_of(o_.axes, [&](int axis) {
+      return axis != known_.up && match_.flight.gravity[static_cast<std::size_t>(axis)] != 0;
+    });
+    if (pushed || (match_.flight.gravity[up] != 0 && match_.flight.k == 0))
+      for (const double g : kStandardGravities)
+        if (std::fabs(match_.flight.gravity[up] + g) > 1e-9) split(g);
+    return result;
+  }
+
+  std::vector<Adding> addings(const Flight& f) const {
+    const bool pushed = f.k != 0 || std::ranges::any_of(f.force, [](double a) { return a != 0; }) ||
+                        (!candidate_.own_damping && f.c != 0);
+    if (!pushed) return {Adding::at_once};
+    return {Adding::at_once, Adding::after_scaling, Adding::gravity_first, Adding::force_first};
+  }
+
+  std::vector<double> damping_numbers() const {
+    const double c = match_.flight.c;
+    if (c == 0) return {0};
+    return {c, neighbour(c, 1, narrow()), neighbour(c, -1, narrow())};
+  }
+
+  /// Whether there is a launch that makes the log; a launch that was recorded is it.
+  bool launched(Flight& flight) const {
+    if (velocity_known() && flight.launch == Launch::velocity)
+      return compare(candidate_, o_, flight, -1, false).exact;
+    for (const int axis : o_.axes) {
+      double& number =
+          (flight.launch == Launch::impulse ? flight.impulse : flight.v0)[static_cast<std::size_t>(axis)];
+      const double middle = number;
+      if (velocity_known() == false && flight.launch == Launch::impulse)
+        flight.v0[static_cast<std::size_t>(axis)] = 0;
+      bool found = false;
+      double up = middle, down = middle;
+      for (int i = 0; i <= kNeighbours && !found; ++i) {
+        number = up;
+        found = compare(candidate_, o_, flight, axis, false).exact;
+        if (found || i == 0) {
+          up = neighbour(up, 1, narrow());
+          down = neighbour(down, -1, narrow());
+          if (i == 0 && !found && middle != 0 && std::fabs(middle) < 1e-9) {
+            number = 0;
+            found = compare(candidate_, o_, flight, axis, false).exact;
+          }
+          continue;
+        }
+        number = down;
+        found = compare(candidate_, o_, flight, axis, false).exact;
+        up = neighbour(up, 1, narrow());
+        down = neighbour(down, -1, narrow());
+      }
+      if (!found) return false;
+    }
+    return true;
+  }
+
+  const Candidate& candidate_;
+  const Observations& o_;
+  const Known& known_;
+  Match& match_;
+};
+
+}  // namespace
+
+Rational simplest(double value, double distance) {
+  if (std::fabs(value) <= distance) return 0;
+  const Rational low = Rational::from_double(std::fabs(value) - distance);
+  const Rational high = Rational::from_double(std::fabs(value) + distance);
+  const Rational found = simplest_between(low, high);
+  return value < 0 ? -found : found;
+}
+
+std::optional<Match> match(const Candidate& candidate, const Observations& o, const FitQuestion& question,
+                           const Known& known) {
+  const std::optional<Fit> found = fit(candidate, o, question);
+  if (!found) return std::nullopt;
+  Match result;
+  result.candidate = candidate;
+  result.fit = *found;
+  result.ulp = found->worst / 2;
+  result.allowed = 0.5;
+  // A damping or a stiffness below zero is no map of the family.
+  const auto negative = [](const Fitted& n) { return n.value < -4 * n.spread - 1e-12; };
+  Matching matching(candidate, o, known, result);
+  matching.set_flight();
+  const bool acts = !candidate.tape->limits.empty() || !candidate.tape->whens.empty();
+  const double range = std::max(o.largest_position(), 1e-30);
+  const bool near = found->worst < 1e5 || (acts && found->worst_position < 1e-3 * range);
+  if (near && !negative(found->c) && !negative(found->k)) {
+    result.allowed += 1.5 * matching.noise() + (o.exact() ? 1.5 : 1e-6);
+    if (o.exact() && candidate.tape->solves.empty()) matching.search();
+  }
+  if (negative(found->c) || negative(found->k)) result.allowed = -1;
+  return result;
+}
+
+}  // namespace shortfall
