@@ -246,7 +246,7 @@ TEST_CASE("shortfall export writes the notebook, and replaces an older one") {
   CHECK(run(command).code == 2);
   CHECK(run(command + " --notebook --latex").code == 2);
   CHECK(run(command + " --notebook -o /nowhere/at/all.ipynb").code == 5);
-  CHECK(run(command + " --latex").output.find("\\[ x(t) - x_n") != std::string::npos);
+  CHECK(run(command + " --latex").output.find("\\[ x(t) - x_{n}") != std::string::npos);
   CHECK(run("'" SHORTFALL_BINARY "' export symplectic-euler --force poly:31 --notebook").code == 4);
 }
 

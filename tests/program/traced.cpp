@@ -103,7 +103,7 @@ TEST_CASE("the order of operations is the author's") {
   };
   CHECK(of([](auto h, auto t) { return h + (h + t); }) == "  x = x + (h + (h + t))*v");
   CHECK(of([](auto h, auto t) { return h / (h / t); }) == "  x = x + h/(h/t)*v");
-  CHECK(of([](auto h, auto) { return -pow(h, 2) / h; }) == "  x = x + -h^2/h*v");
+  CHECK(of([](auto h, auto) { return -pow(h, 2) / h; }) == "  x = x + (-h^2/h*v)");
   CHECK(of([](auto h, auto) { return h * Rational(1, 3); }) == "  x = x + h*(1/3)*v");
   CHECK(of([](auto h, auto) { return 0.1 * h; }) == "  x = x + 0.1*h*v");
   CHECK(of([](auto h, auto) { return 0.1F * h; }) == "  x = x + 0.1*h*v");
