@@ -66,9 +66,9 @@ std::string latex_escaped(const std::string& text) {
 std::string as_latex(const Derivation& d, const CorrectionKit* kit) {
   std::string text = "% " + d.integrator + ", force of degree " + std::to_string(d.degree) +
                      " in t. Needs amsmath. Written by shortfall; what it prints is yours.\n";
-  text +=
-      "The shortfall, exact minus computed, of " + latex_escaped(d.integrator) + " under " + force_words(d) +
-      " after $n$ steps of length $h$, at $t = n h$, and its derivation, each line of which was proved:\n";
+  text += "The shortfall, exact minus computed, of " + latex_escaped(d.integrator) + " under " +
+          force_words(d) + " after $n$ steps of length $h$, at $t = n h$, and its derivation" +
+          (d.proved() ? ", each line of which was proved" : "") + ":\n";
   text += display(name("x(t)") - name("x_n"), d.shortfall_position);
   text += display(name("v(t)") - name("v_n"), d.shortfall_velocity);
   int count = 0;

@@ -27,14 +27,13 @@ bool grows_slowly(const ExactStep& step) {
   });
 }
 
-Ball power_of_two(std::int64_t exponent, int bits) {
-  constexpr std::int64_t kPart = 1 << 30;
-  const Ball two(2, bits);
-  return pow(pow(two, static_cast<int>(kPart)), static_cast<int>(exponent / kPart)) *
-         pow(two, static_cast<int>(exponent % kPart));
-}
-
 }  // namespace
+
+Ball powered(const Ball& base, std::int64_t exponent) {
+  constexpr std::int64_t kPart = 1 << 30;
+  return pow(pow(base, static_cast<int>(kPart)), static_cast<int>(exponent / kPart)) *
+         pow(base, static_cast<int>(exponent % kPart));
+}
 
 bool ExactDyadic::add_term(Row& row, int source, bool fresh, const mpz_class& coefficient,
                            std::int64_t places) {
@@ -128,8 +127,8 @@ Ball ExactDyadic::scaled(int entry, int bits) const {
   if (dropped > 0) value = hull(value, Ball(rational(mpz_class(head + 1)), bits + 3 * GMP_NUMB_BITS));
   const std::int64_t up =
       (static_cast<std::int64_t>(dropped) - static_cast<std::int64_t>(s.fraction())) * GMP_NUMB_BITS;
-  if (up >= 0) return value * power_of_two(up, bits);
-  return value / power_of_two(-up, bits);
+  const Ball two(2, bits);
+  return up >= 0 ? value * powered(two, up) : value / powered(two, -up);
 }
 
 std::size_t ExactDyadic::limbs() const {

@@ -15,13 +15,16 @@
 
 namespace shortfall {
 
+/// A power of a ball, the exponent of 64 bits and not negative.
+Ball powered(const Ball& base, std::int64_t exponent);
+
 /// The state of an ExactStep whose D is a power of two, one frame after the other: z(n) / D^n as fixed point
 /// that grows at its low end, so that a step is a product by a word and an addition in one pass for each
 /// coefficient that is not 1, and nothing is shifted. The leading digits of a number can be read without the
 /// others.
 class ExactDyadic {
  public:
-  /// Nothing when D is no power of two, or a coefficient of the step no word times one.
+  /// Nothing when D is no power of two above 1, or a step may make a number longer by a whole limb.
   static std::optional<ExactDyadic> of(const ExactStep& step);
 
   void load(const std::vector<mpz_class>& z, std::int64_t frame);

@@ -22,13 +22,6 @@ Ball leading(const mpz_class& value, int bits) {
   return hull(head, next) * pow(Ball(2, bits + 16), static_cast<int>(drop));
 }
 
-/// A power of a ball; exponents of 64 bits in two parts.
-Ball powered(const Ball& base, std::int64_t exponent) {
-  constexpr std::int64_t kPart = 1 << 30;
-  return pow(pow(base, static_cast<int>(kPart)), static_cast<int>(exponent / kPart)) *
-         pow(base, static_cast<int>(exponent % kPart));
-}
-
 Modular modular(const mpz_class& value) {
   const mpz_class rest = value % mpz_class(Modular::kPrime);
   return Modular(static_cast<std::int64_t>(rest.get_si()));

@@ -41,8 +41,8 @@ class ExactState {
   const std::vector<mpz_class>& values();
   /// Of an entry of the scaled state.
   int sign(int entry);
-  /// An entry / D^n with so many certain bits at least, by its leading digits; nothing when it takes them all
-  /// to know.
+  /// An entry / D^n with so many certain bits at least, by its leading digits; nothing where
+  /// the state is no growing fixed point.
   std::optional<Ball> scaled(int entry, int bits);
 
  private:

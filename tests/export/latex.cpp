@@ -2,7 +2,6 @@
 #include "notebooks-export/latex_text.hpp"
 
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
 #include <cstdlib>
 #include <filesystem>
@@ -12,9 +11,9 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/catalogue.hpp"
+#include "tests/cli/command.hpp"
 
 using namespace shortfall;
-namespace fs = std::filesystem;
 
 TEST_CASE("text for LaTeX is set as it stands") {
   CHECK(latex_escaped("f_0 & 50% of {a} ~ \\b ^ $ #\n") ==
@@ -40,18 +39,14 @@ TEST_CASE("the derivations of the whole catalogue compile as LaTeX, in one docum
         continue;
       }
   CHECK(count > 100);
-  std::string folder = (fs::temp_directory_path() / "shortfall-latex-XXXXXX").string();
-  REQUIRE(mkdtemp(folder.data()) != nullptr);
-  std::ofstream(folder + "/all.tex") << document << "\\end{document}\n";
-  const int status = std::system(
-      ("cd '" + folder + "' && pdflatex -interaction=nonstopmode -halt-on-error all.tex >out 2>&1 </dev/null")
-          .c_str());
-  if (status != 0) {
-    std::ifstream log(folder + "/out");
-    const std::string text{std::istreambuf_iterator<char>(log), {}};
-    MESSAGE(text.substr(text.size() > 1500 ? text.size() - 1500 : 0));
-  }
+  const Folder folder;
+  folder.write("all.tex", document + "\\end{document}\n");
+  const int status =
+      std::system(("cd '" + folder.path(".") +
+                   "' && pdflatex -interaction=nonstopmode -halt-on-error all.tex >out 2>&1 </dev/null")
+                      .c_str());
+  const std::string log = folder.text("out");
+  if (status != 0) MESSAGE(log.substr(log.size() > 1500 ? log.size() - 1500 : 0));
   CHECK(status == 0);
-  CHECK(fs::exists(folder + "/all.pdf"));
-  fs::remove_all(folder);
+  CHECK(folder.has("all.pdf"));
 }

@@ -2,7 +2,6 @@
 #include "notebooks-export/page.hpp"
 
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -19,34 +18,11 @@
 #include "analysis/program/run.hpp"
 #include "analysis/program/transform.hpp"
 #include "notebooks-export/page_document.hpp"
+#include "tests/cli/command.hpp"
 
 using namespace shortfall;
-namespace fs = std::filesystem;
 
 namespace {
-
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "shortfall-pages-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-  std::string path(const std::string& file) const { return (path_ / file).string(); }
-  void write(const std::string& file, const std::string& text) const {
-    std::ofstream(path(file), std::ios::binary) << text;
-  }
-  std::string text(const std::string& file) const {
-    std::ifstream in(path(file), std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-
- private:
-  fs::path path_;
-};
 
 bool found(const std::string& program) {
   return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
