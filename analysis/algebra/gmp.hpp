@@ -29,6 +29,11 @@ class GmpView {
   mpq_srcptr read_;
 };
 
+/// How many binary digits |value| has; 0 for 0.
+inline long bit_length(const mpz_class& value) {
+  return value == 0 ? 0 : static_cast<long>(mpz_sizeinbase(value.get_mpz_t(), 2));
+}
+
 mpz_class gmp_integer(Int128 value);
 mpq_class gmp(const Rational& value);
 mpz_class gmp_numerator(const Rational& value);

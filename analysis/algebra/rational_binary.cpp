@@ -21,8 +21,8 @@ constexpr Format kBinary32{24, -149, 127};
 /// The number of the format nearest to above / below (both positive), ties to even; as a double, which holds
 /// it exactly.
 double nearest(mpz_class above, mpz_class below, const Format& format) {
-  const long bits_above = static_cast<long>(mpz_sizeinbase(above.get_mpz_t(), 2));
-  const long bits_below = static_cast<long>(mpz_sizeinbase(below.get_mpz_t(), 2));
+  const long bits_above = bit_length(above);
+  const long bits_below = bit_length(below);
   // 2^(exponent - 1) < above / below < 2^(exponent + 1)
   long exponent = bits_above - bits_below;
   if (exponent > format.greatest_bit + 1) return std::numeric_limits<double>::infinity();

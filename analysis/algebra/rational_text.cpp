@@ -3,6 +3,7 @@
 #include <string>
 #include <string_view>
 
+#include "analysis/algebra/characters.hpp"
 #include "analysis/algebra/decimal.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/gmp.hpp"
@@ -15,8 +16,6 @@ constexpr long kMostDigits = 10'000;
 /// Beyond this a number has more than kMostDigits digits whatever cancels: a decimal whose mantissa has no
 /// factor 10 keeps at least a power of two below (2^100000), or most of its mantissa above.
 constexpr long kHopeless = 100'000;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// The text, quoted, short and printable.
 std::string quoted(std::string_view text) {

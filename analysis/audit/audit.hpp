@@ -31,6 +31,9 @@ struct Change {
   std::string right;
 };
 
+/// What a mend restores when no claim is refuted with it.
+inline constexpr const char* kEveryClaim = "every claim";
+
 /// A change after which more of the claims hold. Never more than probable: the author alone knows what was
 /// meant.
 struct Mend {
@@ -39,7 +42,7 @@ struct Mend {
   Kind kind = Kind::entry;
   std::vector<Change> changes;
   std::string slip;      ///< what would have happened: "two digits change places"; may be empty
-  std::string restores;  ///< "every claim", "order 3"
+  std::string restores;  ///< kEveryClaim, "order 3"
   /// How many conditions depend on what is changed, beyond those from which its value was found: each of them
   /// would fail for a wrong guess.
   int checks = 0;

@@ -21,7 +21,6 @@ using Verdict = AuditClaim::Verdict;
 
 constexpr std::size_t kReasons = 3;
 constexpr double kClaimCost = 7;  // a claim that is wrong, rather than the step
-constexpr const char* kAll = "every claim";
 constexpr const char* kNoOrder = "no order: a free body does not move along a line at its velocity";
 
 std::string rounded(const KnownDigits& k) {
@@ -238,7 +237,8 @@ void add_tableau(const Program& program, const std::optional<OrderDemand>& deman
   audit.kind = "Runge-Kutta tableau";
   for (Mend& mend : tableau_mends(t, found, limits)) {
     if (mend.kind == Mend::Kind::claim) continue;
-    if (mend.restores == kAll) mend.restores = "every claim about the tableau";  // no other was decided anew
+    if (mend.restores == kEveryClaim)
+      mend.restores = "every claim about the tableau";  // no other was decided anew
     audit.mends.push_back(std::move(mend));
   }
 }
@@ -268,7 +268,7 @@ Audit audit_program(const Program& program, const std::string& text, const std::
     if (!wanted) wanted = consistency(audit.claims);
     audit.mends = program_mends(text, program, audit.claims, wanted, decide, limits);
   }
-  const bool explained = !audit.mends.empty() && audit.mends.front().restores.starts_with(kAll);
+  const bool explained = !audit.mends.empty() && audit.mends.front().restores.starts_with(kEveryClaim);
   for (const AuditClaim& c : audit.claims)
     if (c.verdict == Verdict::refuted && c.stated && !explained)
       audit.mends.push_back({Mend::Kind::claim,

@@ -25,7 +25,6 @@ constexpr std::size_t kMostMends = 8;
 constexpr int kExactDigits = 60;
 constexpr int kCountedOrder = 6;
 constexpr int kLongestNumber = 24;  // a longer one is no misprint of a short one
-constexpr const char* kAll = "every claim";
 
 std::string trimmed(const std::string& text) {
   const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
@@ -197,7 +196,7 @@ class Mends {
     mend.digits = digits;
     mend.checks = std::max(failing_, static_cast<int>(restored.size())) - (solved ? 1 : 0);
     mend.cost = edit.cost + (all ? 0 : 3);
-    mend.restores = all ? kAll : "";
+    mend.restores = all ? kEveryClaim : "";
     if (!all)
       for (const std::string& claim : restored) mend.restores += (mend.restores.empty() ? "" : ", ") + claim;
     if (edit.exchanges_kicks)

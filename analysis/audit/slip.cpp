@@ -5,13 +5,12 @@
 #include <cctype>
 #include <optional>
 
+#include "analysis/algebra/characters.hpp"
 #include "analysis/algebra/error.hpp"
 
 namespace shortfall {
 
 namespace {
-
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
 std::string without_blanks(std::string text) {
   std::erase_if(text, [](char c) { return c == ' ' || c == '\t'; });

@@ -104,11 +104,11 @@ class Mends {
         search(demands, twofold ? double_slips(t_) : single_slips(t_));
         if (!mends_.empty()) break;
       }
-      if (std::ranges::any_of(mends_, [](const Mend& mend) { return mend.restores == kAll; })) break;
+      if (std::ranges::any_of(mends_, [](const Mend& mend) { return mend.restores == kEveryClaim; })) break;
     }
     // Nobody doubts the claims when one slip explains everything and is confirmed.
     const bool explained = std::ranges::any_of(mends_, [](const Mend& mend) {
-      return mend.restores == kAll && mend.checks > 0 && mend.cost < kClaim;
+      return mend.restores == kEveryClaim && mend.checks > 0 && mend.cost < kClaim;
     });
     for (const AuditClaim& c : found_.claims)
       if (c.verdict == Verdict::refuted && c.stated && !explained) {
@@ -127,8 +127,6 @@ class Mends {
   }
 
  private:
-  static constexpr const char* kAll = "every claim";
-
   bool is_refuted(const std::string& beginning) const {
     return std::ranges::any_of(refuted_, [&](const std::string& c) { return c.starts_with(beginning); });
   }
@@ -205,7 +203,7 @@ class Mends {
     mend.digits = digits;
     mend.cost = trial.cost + (result.checks < 1 ? kWithoutCheck : 0) + (all ? 0 : kNotAll);
     if (all) {
-      mend.restores = kAll;
+      mend.restores = kEveryClaim;
     } else {
       for (const std::string& claim : restored) mend.restores += (mend.restores.empty() ? "" : ", ") + claim;
     }

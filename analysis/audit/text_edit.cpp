@@ -5,6 +5,7 @@
 #include <cctype>
 #include <set>
 
+#include "analysis/algebra/characters.hpp"
 #include "analysis/audit/slip.hpp"
 
 namespace shortfall {
@@ -13,7 +14,6 @@ namespace {
 
 constexpr double kLater = 1e-4;  // of two equal names the later one is the copy
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
 std::string trimmed(const std::string& text) {

@@ -11,12 +11,12 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kOrder = 3;  // of the recurrence of 1, n, ratio^n
+constexpr int kRecurrence = 3;  // of the recurrence of 1, n, ratio^n
 
-using Values = std::vector<Rational>;
+using Samples = std::vector<Rational>;
 
 /// The sum through the first three values, once its ratio is known.
-GeometricSum fitted(const Values& v, const Rational& ratio) {
+GeometricSum fitted(const Samples& v, const Rational& ratio) {
   const Rational less = ratio - 1;
   GeometricSum sum;
   sum.gain = (v[2] - v[1] - (v[1] - v[0])) / (less * less);
@@ -26,13 +26,13 @@ GeometricSum fitted(const Values& v, const Rational& ratio) {
 }
 
 /// How the second differences change, where they are not 0.
-std::optional<Rational> ratio_of(const Values& v) {
+std::optional<Rational> ratio_of(const Samples& v) {
   const Rational first = v[2] - v[1] - (v[1] - v[0]), second = v[3] - v[2] - (v[2] - v[1]);
   if (first.is_zero()) return std::nullopt;
   return second / first;
 }
 
-bool fits(const GeometricSum& sum, const Rational& ratio, const Values& values) {
+bool fits(const GeometricSum& sum, const Rational& ratio, const Samples& values) {
   Rational power = 1;
   for (std::size_t k = 0; k < values.size(); ++k, power *= ratio)
     if (sum.constant + sum.slope * k + sum.gain * power != values[k]) return false;
@@ -71,9 +71,9 @@ std::optional<Rational> GeometricFlight::top(const Surd& launch, const Rational&
 namespace {
 
 /// Rise and fall of as many frames as prove a form.
-std::pair<Values, Values> compared(const FrameOf& frame, int from, int order) {
-  std::pair<Values, Values> values;
-  for (int k = 0; k < order + kOrder + 2; ++k) {
+std::pair<Samples, Samples> compared(const FrameOf& frame, int from, int order) {
+  std::pair<Samples, Samples> values;
+  for (int k = 0; k < order + kRecurrence + 2; ++k) {
     const auto [up, down] = frame(static_cast<std::size_t>(from + k));
     values.first.push_back(up);
     values.second.push_back(down);
@@ -82,7 +82,7 @@ std::pair<Values, Values> compared(const FrameOf& frame, int from, int order) {
 }
 
 /// The parabola through all values, the first of which is that of n = from.
-std::optional<std::array<Rational, 3>> parabola_through(const Values& v, int from) {
+std::optional<std::array<Rational, 3>> parabola_through(const Samples& v, int from) {
   const Rational half = (v[2] - v[1] - (v[1] - v[0])) / 2;
   const Rational slope = v[1] - v[0] - half;
   for (std::size_t k = 0; k < v.size(); ++k)

@@ -15,12 +15,10 @@ namespace shortfall {
 
 namespace {
 
-using Names = std::map<std::string, Rational>;
-
-Rational value_of(const Expr& e, const Names& names);
+Rational value_of(const Expr& e, const Values& names);
 
 /// Of what is no sum, product or quotient.
-Rational leaf_value(const Expr& e, const Names& names) {
+Rational leaf_value(const Expr& e, const Values& names) {
   using Op = Expression::Op;
   const auto operand = [&](std::size_t k) { return value_of(e->operands[k], names); };
   switch (e->op) {
@@ -48,7 +46,7 @@ Rational leaf_value(const Expr& e, const Names& names) {
 }
 
 /// An expression's value; a(...) is what "a" stands for.
-Rational value_of(const Expr& e, const Names& names) {
+Rational value_of(const Expr& e, const Values& names) {
   return arithmetic<Rational>(e, [&](const Expr& leaf) { return leaf_value(leaf, names); });
 }
 
@@ -77,7 +75,7 @@ Rational lessened(const Surd& s) {
 
 IntendedMotion::IntendedMotion(const Program& program, const Values& parameters) {
   if (!program.solves) return;
-  Names names(parameters.begin(), parameters.end());
+  Values names(parameters.begin(), parameters.end());
   const auto meant = [&](int a, int x, int v, int t) {
     names["a"] = a;
     names["x"] = x;

@@ -13,23 +13,9 @@ namespace {
 constexpr std::size_t kMostRuns = 20'000;
 constexpr std::size_t kEnoughRuns = 6'000;  // beyond the additions asked for: a binary64 clock's whole life
 
-long bits(const mpz_class& value) {
-  return value == 0 ? 0 : static_cast<long>(mpz_sizeinbase(value.get_mpz_t(), 2));
-}
-
 mpz_class shifted(const mpz_class& value, long by) {
   return by >= 0 ? mpz_class(value << static_cast<mp_bitcnt_t>(by))
                  : mpz_class(value >> static_cast<mp_bitcnt_t>(-by));
-}
-
-/// The exponent of the lowest bit of a dyadic number; none for 0.
-///
-/// throws  BadInput  when it is not dyadic
-std::optional<long> lowest_bit(const Rational& value) {
-  if (value.is_zero()) return std::nullopt;
-  const mpz_class above = gmp_numerator(value), below = gmp_denominator(value);
-  if (mpz_popcount(below.get_mpz_t()) != 1) throw BadInput("an increment is a multiple of a power of two");
-  return static_cast<long>(mpz_scan1(above.get_mpz_t(), 0)) - (bits(below) - 1);
 }
 
 /// All values of one accumulator are multiples of 2^grain_; this counts in that.
@@ -51,15 +37,17 @@ class Walk {
 
  private:
   mpz_class counted(const Rational& value) const {
-    return shifted(gmp_numerator(value), -grain_ - (bits(gmp_denominator(value)) - 1));
+    return shifted(gmp_numerator(value), -grain_ - (bit_length(gmp_denominator(value)) - 1));
   }
   Rational uncounted(const mpz_class& count) const {
     return grain_ >= 0 ? rational(shifted(count, grain_)) : rational(count, shifted(1, -grain_));
   }
   /// The spacing of the format's numbers around a sum, as a power of two; 0 where all counts are exact.
-  long spacing(const mpz_class& sum) const { return std::max(bits(sum) - format_.precision, least_); }
+  long spacing(const mpz_class& sum) const { return std::max(bit_length(sum) - format_.precision, least_); }
   mpz_class rounded(const mpz_class& sum, long k) const;
-  bool too_large(const mpz_class& value) const { return bits(value) + grain_ > format_.greatest_bit + 1; }
+  bool too_large(const mpz_class& value) const {
+    return bit_length(value) + grain_ > format_.greatest_bit + 1;
+  }
   mpz_class largest() const {
     return shifted(shifted(1, format_.precision) - 1, format_.greatest_bit + 1 - format_.precision - grain_);
   }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/algebra/error.hpp"
 #include "analysis/algebra/gmp.hpp"
 
 namespace shortfall {
@@ -11,11 +12,17 @@ Rational power_of_two(long exponent) { return Rational(2).pow(static_cast<int>(e
 
 long leading_bit(const Rational& value) {
   const mpz_class above = gmp_numerator(value), below = gmp_denominator(value);
-  const long guess = static_cast<long>(mpz_sizeinbase(above.get_mpz_t(), 2)) -
-                     static_cast<long>(mpz_sizeinbase(below.get_mpz_t(), 2));
+  const long guess = bit_length(above) - bit_length(below);
   const bool too_high = guess >= 0 ? above < (below << static_cast<unsigned long>(guess))
                                    : (above << static_cast<unsigned long>(-guess)) < below;
   return too_high ? guess - 1 : guess;
+}
+
+std::optional<long> lowest_bit(const Rational& value) {
+  if (value.is_zero()) return std::nullopt;
+  const mpz_class above = gmp_numerator(value), below = gmp_denominator(value);
+  if (mpz_popcount(below.get_mpz_t()) != 1) throw BadInput("an increment is a multiple of a power of two");
+  return static_cast<long>(mpz_scan1(above.get_mpz_t(), 0)) - (bit_length(below) - 1);
 }
 
 namespace {

@@ -41,6 +41,11 @@ std::optional<Rational> rounded(const Rational& value, const BinaryFormat& forma
 /// How many bits a positive number has before the point, minus 1: 2^result <= value < 2^(result + 1).
 long leading_bit(const Rational& value);
 
+/// The exponent of the lowest bit of a dyadic number; none for 0.
+///
+/// throws  BadInput  when it is not dyadic
+std::optional<long> lowest_bit(const Rational& value);
+
 /// 2^exponent.
 Rational power_of_two(long exponent);
 

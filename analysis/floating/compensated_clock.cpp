@@ -11,16 +11,6 @@ namespace shortfall {
 
 namespace {
 
-long bits(const mpz_class& value) {
-  return value == 0 ? 0 : static_cast<long>(mpz_sizeinbase(value.get_mpz_t(), 2));
-}
-
-/// The exponent of the lowest bit of a dyadic number that is not 0.
-long lowest_bit(const Rational& value) {
-  const mpz_class above = gmp_numerator(value), below = gmp_denominator(value);
-  return static_cast<long>(mpz_scan1(above.get_mpz_t(), 0)) - (bits(below) - 1);
-}
-
 /// The spacing of the numbers of a format around a dyadic value.
 Rational spacing(const Rational& value, const BinaryFormat& format) {
   if (value.is_zero()) return power_of_two(format.least_unit);
@@ -30,6 +20,8 @@ Rational spacing(const Rational& value, const BinaryFormat& format) {
 bool to_nearest(Rounding rounding) {
   return rounding == Rounding::nearest_even || rounding == Rounding::nearest_away;
 }
+
+using shortfall::bit_length;  // of GMP's integers
 
 int bit_length(Int128 value) {
   const auto size = static_cast<UInt128>(value < 0 ? -value : value);
@@ -87,7 +79,7 @@ Rational closed_additions(const Question& q) {
   const Rational room = power_of_two(q.grain + q.format.precision) - q.increment.abs();
   if (room.sign() <= 0) return 0;
   // The largest spacing u with u/2 <= room, and the sums below where the next one begins.
-  const long widest = q.grain + bits(gmp_numerator(room / power_of_two(q.grain)));
+  const long widest = q.grain + bit_length(gmp_numerator(room / power_of_two(q.grain)));
   const long unit = std::min(widest, q.format.greatest_bit - q.format.precision + 1);
   const Rational below = power_of_two(unit + q.format.precision);
   if (q.start.abs() >= below) return 0;
@@ -165,8 +157,7 @@ CompensatedClock compensated_clock(const Rational& start, const Rational& increm
     clock.closed_until = n;
     return clock;
   }
-  const long grain =
-      start.is_zero() ? lowest_bit(increment) : std::min(lowest_bit(start), lowest_bit(increment));
+  const long grain = std::min(*lowest_bit(increment), lowest_bit(start).value_or(*lowest_bit(increment)));
   const Question q{start, increment, n, format, rounding, grain};
   clock.closed_until = closed_additions(q);
   if (n <= clock.closed_until) {

@@ -7,8 +7,8 @@ namespace shortfall {
 
 namespace {
 
-/// A number of MPFR, enough for the sum of two binary64 that are not far apart; its precision is its own, so that threads do
-/// not meet.
+/// A number of MPFR, enough for the sum of two binary64 that are not far apart; its precision is its own, so
+/// that threads do not meet.
 class Wide {
  public:
   Wide() { mpfr_init2(value_, 200); }

@@ -12,7 +12,7 @@ namespace shortfall {
 
 namespace {
 
-using Names = std::map<std::string, std::string>;
+using Renamed = std::map<std::string, std::string>;
 
 bool has_implicit_stages(const std::vector<Statement>& block) {
   for (const Statement& s : block)
@@ -40,7 +40,7 @@ class Emitter {
     kept_ = carried_;
     if (program.impulse) kept_.push_back(program.impulse->name);
     constants_.add(names_("h"), "step");
-    Names known;
+    Renamed known;
     for (const Parameter& p : program.parameters) {
       const std::string own = names_(p.name);
       constants_.add(own, "parameters." + own);
@@ -101,7 +101,7 @@ class Emitter {
   void parameters() {
     out_ << "  struct Parameters {\n    template <class Number>\n"
          << "    explicit Parameters([[maybe_unused]] const Number& number) {\n";
-    Names known;
+    Renamed known;
     std::string code, fields;
     const Values values = parameter_values(program_);
     for (const Parameter& p : program_.parameters) {

@@ -4,14 +4,14 @@
 #include <algorithm>
 #include <cctype>
 
+#include "analysis/algebra/characters.hpp"
+
 namespace shortfall {
 
 namespace {
 
 constexpr int kDeepest = 8;
 constexpr std::size_t kShown = 40;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 std::string shortened(const std::string& text) {
   return text.size() > kShown ? text.substr(0, kShown) + "..." : text;

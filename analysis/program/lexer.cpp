@@ -6,12 +6,13 @@
 #include <string_view>
 #include <utility>
 
+#include "analysis/algebra/characters.hpp"
+
 namespace shortfall {
 
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_'; }
+bool begins_name(char c) { return is_alphabetic(c) || c == '_'; }
 
 /// Characters that people paste from books, and what the language writes instead.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kFancy{{{"×", "*"},
@@ -32,7 +33,7 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 17> kFancy{{
                                                                                 {"]", ")"},
                                                                                 {"Δ", "h for the step"}}};
 
-struct Reader {
+struct Lexer {
   const Source& source;
   int& line;
   std::size_t i;
@@ -67,9 +68,9 @@ struct Reader {
     }
     const std::string digits = s.substr(i, end - i);
     push(Token::Kind::number, end - i);
-    if (i < s.size() && (is_letter(s[i]) || s[i] == '(')) {
+    if (i < s.size() && (begins_name(s[i]) || s[i] == '(')) {
       std::size_t word = i;
-      while (word < s.size() && (is_letter(s[word]) || is_digit(s[word]))) ++word;
+      while (word < s.size() && (begins_name(s[word]) || is_digit(s[word]))) ++word;
       const std::string next = s[i] == '(' ? "(" : s.substr(i, word - i);
       throw source.error(here(), "a product is written with *: " + digits + "*" + next);
     }
@@ -96,9 +97,9 @@ struct Reader {
         ++i;
       } else if (is_digit(c) || (c == '.' && i + 1 < text().size() && is_digit(text()[i + 1]))) {
         number();
-      } else if (is_letter(c)) {
+      } else if (begins_name(c)) {
         std::size_t end = i;
-        while (end < text().size() && (is_letter(text()[end]) || is_digit(text()[end]))) ++end;
+        while (end < text().size() && (begins_name(text()[end]) || is_digit(text()[end]))) ++end;
         push(Token::Kind::name, end - i);
       } else if (std::string_view("+-*/^(),=:&{}<>").find(c) != std::string_view::npos) {
         if (c == '(') open.push_back(here());
@@ -154,27 +155,27 @@ void refuse_unclosed(const Source& source, int first, std::size_t byte) {
 
 std::vector<Token> tokens(const Source& source, int& line, std::size_t byte) {
   refuse_unclosed(source, line, byte);
-  Reader reader{source, line, byte};
+  Lexer lexer{source, line, byte};
   for (;;) {
-    reader.read_line();
-    const bool and_more = !reader.result.empty() && reader.result.back().text == "&";
-    if (reader.open.empty() && !and_more) break;
+    lexer.read_line();
+    const bool and_more = !lexer.result.empty() && lexer.result.back().text == "&";
+    if (lexer.open.empty() && !and_more) break;
     if (line == source.line_count())
-      throw source.error(reader.result.back().place, "nothing follows the final '&'");
+      throw source.error(lexer.result.back().place, "nothing follows the final '&'");
     ++line;
-    reader.i = 0;
+    lexer.i = 0;
   }
-  reader.result.push_back({Token::Kind::end, "", source.place(line, reader.i)});
-  return std::move(reader.result);
+  lexer.result.push_back({Token::Kind::end, "", source.place(line, lexer.i)});
+  return std::move(lexer.result);
 }
 
 std::vector<Token> tokens_between(const Source& source, int line, std::size_t begin, std::size_t end) {
-  Reader reader{source, line, begin, end};
-  reader.read_line();
-  if (!reader.open.empty())
-    throw source.error(reader.open.back(), "this ( is not closed in its entry; an entry has no blanks");
-  reader.result.push_back({Token::Kind::end, "", source.place(line, end)});
-  return std::move(reader.result);
+  Lexer lexer{source, line, begin, end};
+  lexer.read_line();
+  if (!lexer.open.empty())
+    throw source.error(lexer.open.back(), "this ( is not closed in its entry; an entry has no blanks");
+  lexer.result.push_back({Token::Kind::end, "", source.place(line, end)});
+  return std::move(lexer.result);
 }
 
 }  // namespace shortfall

@@ -2,9 +2,9 @@
 #include "analysis/program/tableau_entry.hpp"
 
 #include <algorithm>
-#include <cctype>
 #include <string_view>
 
+#include "analysis/algebra/characters.hpp"
 #include "analysis/program/token_reader.hpp"
 
 namespace shortfall {
@@ -12,9 +12,6 @@ namespace shortfall {
 namespace {
 
 constexpr std::size_t kShown = 40;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-bool is_letter(char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; }
 
 std::string shortened(std::string_view text) {
   return std::string(text.substr(0, kShown)) + (text.size() > kShown ? "..." : "");
@@ -69,9 +66,9 @@ std::string TableauEntryReader::complaint(const std::string& text) const {
     if (text[i] == '#') return "'#' does not belong into a coefficient";
     if (text[i] == '.' && !(i + 1 < text.size() && is_digit(text[i + 1])))
       return "'" + shortened(text) + "' has a point without digits";
-    if (is_letter(text[i])) {
+    if (is_alphabetic(text[i])) {
       std::size_t end = i;
-      while (end < text.size() && (is_letter(text[end]) || is_digit(text[end]))) ++end;
+      while (end < text.size() && (is_alphabetic(text[end]) || is_digit(text[end]))) ++end;
       const std::string word = text.substr(i, end - i);
       if (word != "sqrt")
         return "'" + shortened(text) +
@@ -91,7 +88,7 @@ std::string TableauEntryReader::complaint(const std::string& text) const {
              shortened(kept) + "?";
     if (end < text.size() && (text[end] == '(' || std::string_view(text).substr(end).starts_with("sqrt")))
       return "a product is written with *: " + shortened(kept + "*" + text.substr(end));
-    if (end < text.size() && (is_letter(text[end]) || text[end] == '.'))
+    if (end < text.size() && (is_alphabetic(text[end]) || text[end] == '.'))
       return "'" + shortened(text) + "' is not a number; did you mean " + shortened(kept) + "?";
     i = end;
   }

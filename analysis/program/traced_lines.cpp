@@ -15,7 +15,7 @@ namespace {
 
 using Op = Expression::Op;
 using Node = const Expression*;
-using Names = std::unordered_map<Node, std::string>;
+using NodeNames = std::unordered_map<Node, std::string>;
 
 constexpr std::size_t kMostOperations = 20000;
 constexpr int kLongestFormula = 16;  ///< longer ones are cut into named lines
@@ -35,7 +35,7 @@ class Graph {
   std::vector<Target> results;
 
   /// What has to be a line of its own before this can be written.
-  std::vector<Expr> before(const Expr& top, const Names& known) const {
+  std::vector<Expr> before(const Expr& top, const NodeNames& known) const {
     std::unordered_set<Node> found, seen;
     std::vector<Node> stack;
     for (const Expr& operand : top->operands) stack.push_back(operand.get());
@@ -115,7 +115,7 @@ class Graph {
 };
 
 /// The expression as one formula, in which what has a name is said by it.
-Expr said(const Expr& e, const Names& names, bool top = true) {
+Expr said(const Expr& e, const NodeNames& names, bool top = true) {
   if (const auto found = names.find(e.get()); found != names.end() && !top) return name(found->second);
   if (e->operands.empty()) return e;
   auto copy = std::make_shared<Expression>(*e);
@@ -123,7 +123,7 @@ Expr said(const Expr& e, const Names& names, bool top = true) {
   return copy;
 }
 
-bool reads(const Expr& e, const Names& names, const std::set<std::string>& overwritten, bool top = true) {
+bool reads(const Expr& e, const NodeNames& names, const std::set<std::string>& overwritten, bool top = true) {
   if (!top && names.contains(e.get())) return false;
   if (e->op == Op::name) return overwritten.contains(e->name);
   return std::ranges::any_of(e->operands,
@@ -147,7 +147,7 @@ std::optional<std::vector<Statement>> lines_in_order(const Graph& graph, const s
                                                      std::set<std::string> taken) {
   std::vector<Statement> lines;
   std::set<std::string> overwritten;
-  Names names;
+  NodeNames names;
   const auto say = [&](const std::string& target, const Expr& e) {
     if (const auto found = names.find(e.get()); found != names.end())
       lines.push_back(assignment(target, name(found->second)));

@@ -10,7 +10,7 @@ FreeTrees::FreeTrees(const TreeTable& table, int order) : table_(table), begin_(
   parent_.resize(static_cast<std::size_t>(table.end(order) - begin_));
   std::iota(parent_.begin(), parent_.end(), begin_);
   for (TreeId t = begin_; t < table.end(order); ++t)
-    if (table.function(t) == kForce)
+    if (table.function(t) == FreeTrees::kForce)
       for (TreeId other : neighbours(t)) join(t, other);
 }
 
@@ -23,13 +23,14 @@ std::vector<TreeId> FreeTrees::neighbours(TreeId t) const {
   std::vector<TreeId> result;
   const std::vector<TreeId> children = table_.children(t);
   for (std::size_t i = 0; i < children.size(); ++i) {
-    if (table_.function(children[i]) != kDrift || table_.is_node(children[i])) continue;
+    if (table_.function(children[i]) != FreeTrees::kDrift || table_.is_node(children[i])) continue;
     if (i > 0 && children[i] == children[i - 1]) continue;
     // What remains at the old root hangs from the new one.
-    TreeId rest = table_.node(kForce);
+    TreeId rest = table_.node(FreeTrees::kForce);
     for (std::size_t j = children.size(); j-- > 0;)
       if (j != i) rest = table_.product(rest, children[j]);
-    result.push_back(table_.product(table_.right(children[i]), table_.product(table_.node(kDrift), rest)));
+    result.push_back(
+        table_.product(table_.right(children[i]), table_.product(table_.node(FreeTrees::kDrift), rest)));
   }
   return result;
 }

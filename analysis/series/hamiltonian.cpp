@@ -11,8 +11,6 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kForce = FreeTrees::kForce, kDrift = FreeTrees::kDrift;
-
 /// The derivative of V that a node with so many children is, the root's own index counted or not.
 std::string derivative(std::size_t by_space, std::size_t by_time, bool latex) {
   std::string text = "V";
@@ -90,7 +88,7 @@ ModifiedHamiltonian hamiltonian(const SeriesSource& source, const TreeTable& tab
                                 const TreeSeries<K>& field) {
   ModifiedHamiltonian result;
   result.order = table.order();
-  const TreeId drift = table.node(kDrift);
+  const TreeId drift = table.node(FreeTrees::kDrift);
   for (int n = 2; n <= table.order(); ++n) {
     FreeTrees free(table, n);
     const auto fails = [&](TreeId a, TreeId b, const Fraction& difference) {
@@ -105,10 +103,10 @@ ModifiedHamiltonian hamiltonian(const SeriesSource& source, const TreeTable& tab
       return true;
     };
     for (TreeId t = table.begin(n); t < table.end(n); ++t) {
-      if (table.function(t) == kForce) {
+      if (table.function(t) == FreeTrees::kForce) {
         const TreeId r = free.representative(t);
         if (fails(r, t, Fraction(field[t]) - Fraction(field[r]))) return result;
-      } else if (table.function(t) == kDrift) {
+      } else if (table.function(t) == FreeTrees::kDrift) {
         // Rooted at an end v: the coefficient has the other sign.
         const TreeId partner = table.product(table.right(t), drift);
         if (fails(partner, t, Fraction(field[t]) + Fraction(field[partner]))) return result;
@@ -116,12 +114,12 @@ ModifiedHamiltonian hamiltonian(const SeriesSource& source, const TreeTable& tab
     }
     // One term for each free tree; the root with most children is the one that is written.
     for (TreeId r = table.begin(n); r < table.end(n); ++r) {
-      if (table.function(r) != kForce || free.representative(r) != r) continue;
+      if (table.function(r) != FreeTrees::kForce || free.representative(r) != r) continue;
       if (source.zero(Fraction(field[r]))) continue;  // zero as far as the digits of the method tell
       Rational roots;  // |Aut| times this is the number of forces: an orbit has |Aut| / sigma elements
       TreeId best = r;
       for (TreeId t = r; t < table.end(n); ++t) {
-        if (table.function(t) != kForce || free.representative(t) != r) continue;
+        if (table.function(t) != FreeTrees::kForce || free.representative(t) != r) continue;
         roots += Rational(1) / table.symmetry(t);
         if (table.children(t).size() > table.children(best).size()) best = t;
       }

@@ -14,7 +14,6 @@ namespace shortfall {
 namespace {
 
 using Verdict = Property::Verdict;
-constexpr int kForce = FreeTrees::kForce, kDrift = FreeTrees::kDrift;
 
 /// Pairs of roots of one free tree, and the sign with which their coefficients have to agree.
 struct Condition {
@@ -25,10 +24,10 @@ std::vector<Condition> hamiltonian_conditions(const TreeTable& table, int order)
   std::vector<Condition> conditions;
   FreeTrees free(table, order);
   for (TreeId t = table.begin(order); t < table.end(order); ++t) {
-    if (table.function(t) == kForce && free.representative(t) != t)
+    if (table.function(t) == FreeTrees::kForce && free.representative(t) != t)
       conditions.push_back({t, free.representative(t), 1});
-    if (table.function(t) == kDrift)
-      conditions.push_back({t, table.product(table.right(t), table.node(kDrift)), -1});
+    if (table.function(t) == FreeTrees::kDrift)
+      conditions.push_back({t, table.product(table.right(t), table.node(FreeTrees::kDrift)), -1});
   }
   return conditions;
 }
@@ -39,7 +38,7 @@ std::size_t hamiltonian_fields(const TreeTable& table, int order) {
   FreeTrees free(table, order);
   std::size_t count = 0;
   for (TreeId t = table.begin(order); t < table.end(order); ++t)
-    if (table.function(t) == kForce && free.representative(t) == t) ++count;
+    if (table.function(t) == FreeTrees::kForce && free.representative(t) == t) ++count;
   return count;
 }
 
@@ -55,11 +54,11 @@ EnergyChange energy_change(const SeriesSource& source, int highest) {
       const TreeSeries<K> field = source.step<K>(table).field;
       FreeTrees free(table, n + 1);
       std::map<TreeId, K> sums;
-      const TreeId v = table.node(kDrift), a = table.product(v, table.node(kForce));
+      const TreeId v = table.node(FreeTrees::kDrift), a = table.product(v, table.node(FreeTrees::kForce));
       for (TreeId t = table.begin(n); t < table.end(n); ++t) {
         if (vanishes(field[t])) continue;
         // v' times v, and x' times V' = -a.
-        const bool force = table.function(t) == kForce;
+        const bool force = table.function(t) == FreeTrees::kForce;
         const TreeId whole = table.product(force ? t : table.right(t), force ? v : a);
         const K weight = field[t] / K(table.symmetry(t));
         sums[free.representative(whole)] += force ? weight : K(0) - weight;
@@ -69,7 +68,7 @@ EnergyChange energy_change(const SeriesSource& source, int highest) {
         // Written from the root with most children; every force is -V'.
         TreeId widest = tree;
         for (TreeId t = tree; t < table.end(n + 1); ++t)
-          if (table.function(t) == kForce && free.representative(t) == tree &&
+          if (table.function(t) == FreeTrees::kForce && free.representative(t) == tree &&
               table.children(t).size() > table.children(widest).size())
             widest = t;
         result.terms.push_back(

@@ -9,16 +9,16 @@ namespace shortfall {
 
 namespace {
 
-using Names = std::vector<FormulaLetters::Name>;
+using LetterNames = std::vector<FormulaLetters::Name>;
 
-Expr powers_of(const Monomial& monomial, const Names& names) {
+Expr powers_of(const Monomial& monomial, const LetterNames& names) {
   Expr product = number(1);
   for (const auto& [letter, written, times] : names)
     product = product * power(name(written), times * monomial.exponent(letter));
   return product;
 }
 
-Monomial only(const Monomial& monomial, const Names& names) {
+Monomial only(const Monomial& monomial, const LetterNames& names) {
   Monomial result;
   for (const auto& [letter, written, times] : names) result = result.with(letter, monomial.exponent(letter));
   return result;

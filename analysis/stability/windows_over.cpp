@@ -30,9 +30,9 @@ Entry resultant_of(InEigenvalue a, InEigenvalue b) {
 }
 
 /// The polynomials over K at whose roots the answer may change.
-class Critical {
+class CriticalOver {
  public:
-  explicit Critical(const SquareMatrix<Entry>& matrix) : matrix_(matrix) {
+  explicit CriticalOver(const SquareMatrix<Entry>& matrix) : matrix_(matrix) {
     for (const auto& row : matrix)
       for (const Entry& e : row) add(e.denominator());
     InEigenvalue p(characteristic_coefficients(matrix));
@@ -124,7 +124,7 @@ Windows bounded_windows_over(const SquareMatrix<Fraction>& matrix, Letter letter
       entries.back().emplace_back(over_field(f.numerator(), letter, letters, field),
                                   over_field(f.denominator(), letter, letters, field));
   }
-  const std::vector<RootOver> roots = positive_roots(Critical(entries).polynomials(), field.generator);
+  const std::vector<RootOver> roots = positive_roots(CriticalOver(entries).polynomials(), field.generator);
   std::vector<RealRoot> values;
   for (const RootOver& r : roots) values.push_back(r.root);
   const auto at_number = [](const Rational& value) {
