@@ -9,6 +9,7 @@ endif()
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
 set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_CXX_SCAN_FOR_MODULES OFF)  # there are none, and newer CMake reads each file once more to see
 
 # No NDEBUG anywhere: an assertion that costs too much is written differently, not switched off.
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")

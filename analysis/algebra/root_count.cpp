@@ -77,8 +77,13 @@ RootCount::RootCount(const Univariate<Rational>& p) : sign_(p) {
   const std::vector<mpz_class> coefficients = whole(p);
   fmpz_poly_t integers;
   fmpz_poly_init(integers);
-  for (std::size_t k = 0; k < coefficients.size(); ++k)
-    fmpz_poly_set_coeff_mpz(integers, static_cast<FlintSize>(k), coefficients[k].get_mpz_t());
+  fmpz_t coefficient;
+  fmpz_init(coefficient);
+  for (std::size_t k = 0; k < coefficients.size(); ++k) {
+    fmpz_set_mpz(coefficient, coefficients[k].get_mpz_t());
+    fmpz_poly_set_coeff_fmpz(integers, static_cast<FlintSize>(k), coefficient);
+  }
+  fmpz_clear(coefficient);
   const bool simple = fmpz_poly_is_squarefree(integers);
   const auto degree = static_cast<FlintSize>(p.degree());
   acb_ptr found = _acb_vec_init(degree);
