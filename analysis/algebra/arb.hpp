@@ -6,10 +6,12 @@
 
 #include <gmpxx.h>
 #if __has_include(<flint/arb.h>)
+#include <flint/acb.h>
 #include <flint/arb.h>
 #include <flint/arb_fmpz_poly.h>
 #include <flint/fmpq.h>
 #else
+#include <acb.h>
 #include <arb.h>
 #include <arb_fmpz_poly.h>
 #include <flint/fmpq.h>
