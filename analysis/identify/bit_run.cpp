@@ -42,7 +42,7 @@ struct EngineBody {
     for (std::size_t i = 0; i < 3; ++i) {
       // A user computes his forces in binary64 and hands them over.
       double f = flight.force[i];
-      if (flight.k != 0) f -= flight.k * x.parts()[i];
+      if (flight.k != 0) f -= flight.k * (x.parts()[i] - flight.rest[i]);
       if (own_c < 0 && flight.c != 0) f -= flight.c * v.parts()[i];
       force[i] = static_cast<C>(static_cast<S>(f));
     }

@@ -25,7 +25,8 @@ struct Flight {
   Triple x0{}, v0{};
   Triple gravity{};
   Triple force{};  ///< a constant one, over the mass
-  double k = 0;    ///< of a spring to the origin of coordinates, over the mass
+  double k = 0;    ///< of a spring, over the mass
+  Triple rest{};   ///< where it does not pull
   double c = 0;    ///< damping number
   Launch launch = Launch::velocity;
   Triple impulse{};  ///< over the mass

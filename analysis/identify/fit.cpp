@@ -15,6 +15,7 @@ namespace shortfall {
 namespace {
 
 constexpr double kHopeless = 1e30;
+constexpr double kPolished = 1e4;  // a residual above this is no question of bits
 
 /// One candidate before one log: residuals as a function of damping and spring alone.
 class Fitting {
@@ -255,6 +256,21 @@ double largest(const std::vector<double>& values) {
   return most;
 }
 
+/// Newton's steps on damping and spring, as long as they make the largest residual smaller: what Levenberg
+/// and Marquardt leave is more than the last bits of a log.
+void polish(Fitting& fitting, std::vector<double>& p, std::vector<double>& residual) {
+  constexpr int kMostSteps = 4;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const LinearSolution change = least_squares(fitting.all_rows(p, residual));
+    std::vector<double> moved = p, there;
+    for (std::size_t k = 0; k < p.size(); ++k) moved[k] += change.unknowns[k];
+    if (!fitting.solve(moved, there) || !(largest(there) < largest(residual))) break;
+    p = moved;
+    residual = there;
+  }
+  fitting.solve(p, residual);
+}
+
 }  // namespace
 
 std::optional<Fit> fit(const Candidate& candidate, const Observations& o, const FitQuestion& q) {
@@ -270,6 +286,7 @@ std::optional<Fit> fit(const Candidate& candidate, const Observations& o, const 
     if (!solved || !fitting.hopeless(residual)) p = minimised(fitting, p);
   }
   if (!fitting.solve(p, residual)) return std::nullopt;
+  if (!p.empty() && largest(residual) < kPolished) polish(fitting, p, residual);
   const LinearRows rows = fitting.all_rows(p, residual);
   LinearSolution change = least_squares(rows);
   if (const double now = largest(residual); !o.exact() && now > 1 && now < 3)

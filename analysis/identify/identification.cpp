@@ -44,6 +44,7 @@ class Identifying {
                       " rows: there is nothing to tell maps apart by");
     find_step();
     explain(result_.first, result_.last);
+    if (matches_.empty()) explain_with_switches();
     if (matches_.empty()) explain_a_part();
     conclude();
     return result_;
@@ -160,12 +161,36 @@ class Identifying {
       }
       if (best) (best->reproduces() ? matches_ : others_).push_back(std::move(*best));
     }
-    // Where bits are recorded and some map makes all of them, those that make others are refuted.
+    keep_exact();
+  }
+
+  /// Where bits are recorded and some map makes all of them, those that make others are refuted.
+  void keep_exact() {
     if (std::ranges::any_of(matches_, &Match::exact)) {
       for (const Match& m : matches_)
         if (!m.exact) others_.push_back(m);
       std::erase_if(matches_, [](const Match& m) { return !m.exact; });
     }
+  }
+
+  /// A map with a limit, or with a damping that acts only above some speed, is affine only as long as that
+  /// does not change: its numbers are those of the beginning, and with them it must make all rows.
+  void explain_with_switches() {
+    const std::size_t end = longest(log_, result_.dt.to_double(), result_.first, result_.last);
+    if (end < result_.first + 8 || end >= result_.last) return;
+    const Observations beginning = rows(result_.first, end), whole = rows(result_.first, result_.last);
+    const std::optional<FitQuestion> q = needed(beginning);
+    if (!q) return;
+    for (const Candidate& c : candidates_) {
+      if (c.tape->limits.empty() && c.tape->whens.empty()) continue;
+      std::optional<Match> m = match(c, beginning, *q, known_);
+      if (!m || !m->reproduces() || !c.tape->solves.empty()) continue;
+      const Comparison run = compare(c, whole, m->flight);
+      m->exact = run.exact;
+      m->ulp = run.ulp;
+      (m->reproduces() ? matches_ : others_).push_back(std::move(*m));
+    }
+    keep_exact();
   }
 
   void explain_a_part() {
@@ -207,20 +232,30 @@ class Identifying {
     return 10 * repeated > moved && repeated < moved;
   }
 
-  /// A damped spring that no arithmetic of a map makes bit by bit, and implicit Euler makes nearly.
-  bool is_joint() const {
-    return result_.bits && log_.velocities && std::ranges::none_of(result_.matches, &Match::exact) &&
-           std::ranges::any_of(result_.matches, [](const Match& m) {
-             return m.candidate.name() == "implicit-euler" && m.fit.k.value > 4 * m.fit.k.spread &&
-                    m.fit.k.value > 0;
-           });
+  /// A damped spring that no arithmetic of a map makes bit by bit, and implicit Euler makes nearly: where it
+  /// is about as near as any.
+  std::vector<Match> joints() const {
+    constexpr double kAboutAsNear = 3;
+    if (!result_.bits || !log_.velocities || matches_.empty() || std::ranges::any_of(matches_, &Match::exact))
+      return {};
+    const double best = std::ranges::min_element(matches_, {}, &Match::ulp)->ulp;
+    std::vector<Match> result;
+    for (const auto* list : {&matches_, &others_})
+      for (const Match& m : *list)
+        if (m.candidate.name() == "implicit-euler" && m.fit.k.value > 4 * m.fit.k.spread &&
+            m.fit.k.value > 0 && (m.reproduces() || m.ulp <= kAboutAsNear * best))
+          result.push_back(m);
+    return result;
   }
 
   void conclude() {
+    const std::vector<Match> as_joint = joints();
+    const bool joint = !as_joint.empty();
+    if (joint) matches_ = as_joint;
     std::ranges::stable_sort(others_, {}, &Match::ulp);
     if (others_.size() > kNearest) others_.resize(kNearest);
     result_.nearest = others_;
-    std::ranges::stable_sort(matches_, [](const Match& a, const Match& b) { return rank(a) < rank(b); });
+    std::ranges::stable_sort(matches_, [this](const Match& a, const Match& b) { return rank(a) < rank(b); });
     result_.matches = std::move(matches_);
     if (result_.matches.empty()) {
       result_.kind = resampled() ? Identification::Kind::resampled : Identification::Kind::none;
@@ -234,9 +269,8 @@ class Identifying {
       return;
     }
     result_.kind = Identification::Kind::map;
-    if (is_joint()) {
+    if (joint) {
       result_.kind = Identification::Kind::joint;
-      std::erase_if(result_.matches, [](const Match& m) { return m.candidate.name() != "implicit-euler"; });
       result_.advice =
           "no map makes the last bits of this log. A spring that an engine solves as a joint is implicit "
           "Euler, and so "
@@ -254,9 +288,11 @@ class Identifying {
                        std::to_string(group_count(groups(found, *e))) + " groups";
   }
 
-  /// Exact ones first; then engines, fewer substeps that are not the default, and the smaller difference.
-  static std::array<double, 4> rank(const Match& m) {
+  /// Exact ones first; then, where bits are recorded, the smaller difference; otherwise engines, and what is
+  /// more probable; of the same, fewer substeps.
+  std::array<double, 4> rank(const Match& m) const {
     const bool engine = family(*m.candidate.program) == "engines";
+    if (result_.bits && !m.exact) return {1, std::round(m.ulp * 100), engine ? 0.0 : 1.0, 0};
     return {m.exact ? 0.0 : 1.0, static_cast<double>(m.fit.free), engine ? 0.0 : 1.0,
             m.exact ? static_cast<double>(m.candidate.substep_count()) : -m.fit.log_likelihood};
   }

@@ -12,12 +12,13 @@ namespace shortfall {
 namespace {
 
 constexpr double kStandardGravities[] = {9.81, 9.80665, 9.8, 10};
+constexpr double kHopeful = 10;
 constexpr int kNeighbours = 80;  // of a launch that was not recorded, in units of its last place
 
 /// The shortest decimal within a distance, or the simplest fraction where that is much simpler.
-std::optional<Rational> nice(const Fitted& number, double bias) {
+std::optional<Rational> nice(const Fitted& number, double bias, double wider) {
   const double reach =
-      std::isfinite(number.spread) ? 4 * number.spread + bias + 4e-15 * std::fabs(number.value) : 0;
+      std::isfinite(number.spread) ? wider * (4 * number.spread + bias) + 4e-15 * std::fabs(number.value) : 0;
   if (std::fabs(number.value) <= reach || number.value == 0) return Rational(0);
   if (!(reach > 0) || reach > 0.02 * std::fabs(number.value)) return std::nullopt;
   const Rational fraction = simplest(number.value, reach);
@@ -78,7 +79,12 @@ class Matching {
     return std::min(std::max(most, nominal), 30 * nominal) * narrow;
   }
 
-  void set_flight() {
+  /// The numbers that a program would have been given.
+  ///
+  /// param   wider  how many times farther from a fitted number than its spread one is looked for: roundings
+  /// add
+  ///                up along a log, which the spread does not know
+  void set_flight(double wider) {
     Flight& f = match_.flight;
     const Fit& fit = match_.fit;
     // Errors of one sign in each addition of a frame look like another parameter.
@@ -86,14 +92,14 @@ class Matching {
     const double speed = o_.velocities
                              ? o_.largest_velocity()
                              : 2 * o_.largest_position() / (o_.dt * static_cast<double>(o_.frames()));
-    match_.c = nice(fit.c, unit / o_.dt);
-    match_.k = nice(fit.k, unit / (o_.dt * o_.dt));
+    match_.c = nice(fit.c, unit / o_.dt, wider);
+    match_.k = nice(fit.k, unit / (o_.dt * o_.dt), wider);
     f.c = match_.c ? match_.c->to_double() : fit.c.value;
     f.k = match_.k ? match_.k->to_double() : fit.k.value;
     f.launch = fit.launch;
     for (const int axis : o_.axes) {
       const auto i = static_cast<std::size_t>(axis);
-      match_.a[i] = nice(fit.a[i], unit * speed / o_.dt + fit.k.value * unit * o_.largest_position());
+      match_.a[i] = nice(fit.a[i], unit * speed / o_.dt + fit.k.value * unit * o_.largest_position(), wider);
       f.gravity[i] = match_.a[i] ? match_.a[i]->to_double() : fit.a[i].value;
       f.x0[i] = o_.exact() ? o_.x[0][i] : fit.x0[i].value;
       f.v0[i] = o_.exact() && velocity_known() ? o_.v[0][i] : fit.v0[i].value;
@@ -104,6 +110,41 @@ class Matching {
 
   /// Looks for numbers with which the map makes the log bit by bit.
   void search() {
+    for (const double wider : {1.0, 8.0, 64.0}) {
+      const Flight before = match_.flight;
+      set_flight(wider);
+      if (wider > 1 && same_numbers(before, match_.flight)) continue;
+      search_near();
+      if (match_.exact) return;
+    }
+    set_flight(1);
+    if (match_.flight.k != 0 && velocity_known()) try_round_numbers();
+  }
+
+ private:
+  /// Along an oscillation roundings add up to far more than round numbers are off: those of a program may
+  /// come nearer than the best that a fit finds.
+  void try_round_numbers() {
+    for (const double wider : {1.0, 8.0, 64.0}) {
+      set_flight(wider);
+      const Flight told = match_.flight;
+      for (const Flight& flight : {told, stretched()}) {
+        const double ulp = compare(candidate_, o_, flight).ulp;
+        if (!(ulp < match_.ulp)) continue;
+        match_.ulp = ulp;
+        best_ = flight;
+        best_wider_ = wider;
+      }
+    }
+    set_flight(best_wider_);
+    if (best_) match_.flight = *best_;
+  }
+
+  static bool same_numbers(const Flight& a, const Flight& b) {
+    return a.c == b.c && a.k == b.k && a.gravity == b.gravity;
+  }
+
+  void search_near() {
     std::vector<Arithmetic> arithmetics = {match_.flight.arithmetic};
     if (match_.flight.arithmetic == Arithmetic::binary32)
       arithmetics.push_back(Arithmetic::binary64_stored_32);
@@ -123,9 +164,20 @@ class Matching {
           }
   }
 
- private:
   bool velocity_known() const { return o_.velocities && o_.first_velocity; }
   bool narrow() const { return o_.rounding.kind == Rounding::Kind::binary32; }
+
+  /// A spring pulls towards the place where it rests: in exact arithmetic the same as a constant part.
+  Flight stretched() const {
+    Flight f = match_.flight;
+    for (const int axis : o_.axes) {
+      const auto i = static_cast<std::size_t>(axis);
+      const bool both = match_.a[i] && match_.k && !match_.k->is_zero();
+      f.rest[i] = both ? (*match_.a[i] / *match_.k).to_double() : f.gravity[i] / f.k;
+      f.gravity[i] = 0;
+    }
+    return f;
+  }
 
   /// Gravity and force are two summands for an engine; a log shows their sum.
   std::vector<Flight> splits() const {
@@ -143,6 +195,7 @@ class Matching {
     };
     if (known_.g && *known_.g > 0) split(*known_.g);
     result.push_back(match_.flight);
+    if (match_.flight.k != 0) result.push_back(stretched());
     if (known_.g) return result;
     const auto up = static_cast<std::size_t>(known_.up);
     const bool pushed = std::ranges::any_of(o_.axes, [&](int axis) {
@@ -205,6 +258,8 @@ class Matching {
   const Observations& o_;
   const Known& known_;
   Match& match_;
+  std::optional<Flight> best_;
+  double best_wider_ = 1;
 };
 
 }  // namespace
@@ -229,13 +284,16 @@ std::optional<Match> match(const Candidate& candidate, const Observations& o, co
   // A damping or a stiffness below zero is no map of the family.
   const auto negative = [](const Fitted& n) { return n.value < -4 * n.spread - 1e-12; };
   Matching matching(candidate, o, known, result);
-  matching.set_flight();
+  matching.set_flight(1);
   const bool acts = !candidate.tape->limits.empty() || !candidate.tape->whens.empty();
   const double range = std::max(o.largest_position(), 1e-30);
   const bool near = found->worst < 1e5 || (acts && found->worst_position < 1e-3 * range);
   if (near && !negative(found->c) && !negative(found->k)) {
     result.allowed += 1.5 * matching.noise() + (o.exact() ? 1.5 : 1e-6);
-    if (o.exact() && candidate.tape->solves.empty()) matching.search();
+    // So far from it no choice of the last bits helps.
+    const bool switches = !candidate.tape->whens.empty() || (acts && !question.spring);
+    const bool hopeful = switches || result.ulp <= kHopeful * result.allowed;
+    if (hopeful && o.exact() && candidate.tape->solves.empty()) matching.search();
   }
   if (negative(found->c) || negative(found->k)) result.allowed = -1;
   return result;

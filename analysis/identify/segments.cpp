@@ -85,6 +85,8 @@ void trim(const Log& log, std::size_t& first, std::size_t& last, std::vector<Bre
   std::size_t end = last;
   while (end > first + 1 && same_place(log, end - 1, end - 2)) --end;
   if (last - end >= kStill - 1) {
+    // An engine that puts a body to sleep takes its velocity away after it has moved it.
+    if (log.velocities && end > first + 2 && speed(log, end - 1) == 0 && speed(log, end - 2) > 0) --end;
     breaks.push_back(
         {Break::Kind::sleep, end, "from here on the body stands still: it was put to sleep, or it lies"});
     last = end;
