@@ -11,6 +11,7 @@
 #include "analysis/program/print.hpp"
 #include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
+#include "cli/correct.hpp"
 #include "cli/correct_general.hpp"
 #include "cli/force.hpp"
 #include "cli/output.hpp"
@@ -24,9 +25,7 @@
 
 namespace shortfall::cli {
 
-namespace {
-
-std::string as_code(const Question& q, const std::string& word, const std::string& height) {
+std::string correction_code(const Question& q, const std::string& word, const std::string& height) {
   const auto language = language_named(word);
   if (!language)
     throw BadInput("--lang '" + word.substr(0, 60) + "': we write " +
@@ -54,9 +53,12 @@ std::string as_code(const Question& q, const std::string& word, const std::strin
   return kit_code(correction_kit(d), d, *language);
 }
 
-int correct_linear(const Question& q, const Program& program, const Force& force) {
+namespace {
+
+CorrectionAnswer correct_linear(const Question& q, const Program& program, const Force& force) {
   const LinearKit kit = linear_kit(program, force_named(q.force), q.values(), q.substeps());
   const Style style = q.ascii ? Style::language : Style::unicode;
+  CorrectionAnswer result;
   // With numbers for the letters there are numbers to type in, too.
   std::optional<KitNumbers> numbers;
   std::string no_numbers;
@@ -73,36 +75,48 @@ int correct_linear(const Question& q, const Program& program, const Force& force
     json["numbers"] = numbers ? as_json(*numbers) : nlohmann::ordered_json(nullptr);
     json["numbers_obstruction"] =
         no_numbers.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(no_numbers);
-    write_output(json.dump(2) + "\n", q.output);
+    result.text = json.dump(2) + "\n";
   } else {
-    std::string text = program.name + ", force " + force.text;
+    std::string& text = result.text;
+    text = program.name + ", force " + force.text;
     if (program.solves) text += ", the true motion with its own x'' = " + print(program.solves, style);
     text += "\n" + as_text(kit, style, q.full);
     if (numbers) text += as_text(*numbers, kit, q.step());
     if (!no_numbers.empty()) text += "  At dt = " + q.step().str() + " s none: " + no_numbers + "\n";
-    write_output(text, q.output);
   }
-  return kit.exists && no_numbers.empty() ? kDone : kNotDerivable;
+  result.code = kit.exists && no_numbers.empty() ? kDone : kNotDerivable;
+  return result;
 }
 
-int correct(const Question& q, int order) {
-  if (is_force_class(q.force)) return correct_general(q, order);
-  if (order != 0) throw BadInput("--order goes with --force general and other classes of forces");
+}  // namespace
+
+CorrectionAnswer correction_answer(const Question& q) {
   const Program program = q.program();
   const Force force = with_own_equation(force_named(q.force), program, q.values());
   if (force.linear()) return correct_linear(q, program, force);
   const Derivation d = derivation(program, force.degree, q.values(), q.substeps(), false);
   const CorrectionKit kit = correction_kit(d);
+  CorrectionAnswer result;
   if (q.json) {
-    write_output(as_json(kit, d).dump(2) + "\n", q.output);
+    result.text = as_json(kit, d).dump(2) + "\n";
   } else {
     const Style style = q.ascii ? Style::language : Style::unicode;
-    write_output(d.integrator + ": " + line("shortfall x(t)-x_n", d.shortfall_position, style) + "\n" +
-                     std::string(d.integrator.size() + 2, ' ') +
-                     line("shortfall v(t)-v_n", d.shortfall_velocity, style) + "\n" + as_text(kit, d, style),
-                 q.output);
+    result.text = d.integrator + ": " + line("shortfall x(t)-x_n", d.shortfall_position, style) + "\n" +
+                  std::string(d.integrator.size() + 2, ' ') +
+                  line("shortfall v(t)-v_n", d.shortfall_velocity, style) + "\n" + as_text(kit, d, style);
   }
-  return kit.needed && !kit.best() ? kNotDerivable : kDone;
+  result.code = kit.needed && !kit.best() ? kNotDerivable : kDone;
+  return result;
+}
+
+namespace {
+
+int correct(const Question& q, int order) {
+  if (is_force_class(q.force)) return correct_general(q, order);
+  if (order != 0) throw BadInput("--order goes with --force general and other classes of forces");
+  const CorrectionAnswer answer = correction_answer(q);
+  write_output(answer.text, q.output);
+  return answer.code;
 }
 
 }  // namespace
@@ -151,7 +165,7 @@ void add_correct(CLI::App& app, int& code) {
     if (language->empty())
       code = correct(*q, *order);
     else
-      write_output(as_code(*q, *language, *height), q->output);
+      write_output(correction_code(*q, *language, *height), q->output);
   });
 }
 

@@ -3,14 +3,18 @@
 
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/identify/by_dt.hpp"
 #include "analysis/identify/identification.hpp"
 #include "cli/command.hpp"
+#include "cli/correct.hpp"
 #include "cli/log_options.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
+#include "notebooks-export/figure_gnuplot.hpp"
+#include "notebooks-export/figure_residuals.hpp"
 #include "notebooks-export/identify_text.hpp"
 
 namespace shortfall::cli {
@@ -21,7 +25,7 @@ struct IdentifyWords : LogWords {
   std::string file;
   bool all = false;
   bool json = false;
-  std::string output;
+  std::string output, plot, language;
   std::vector<std::string> by_dt;
 };
 
@@ -76,13 +80,85 @@ int identify_by_dt(const IdentifyWords& o) {
   return kDone;
 }
 
+/// What a user would ask `shortfall correct` about the map that was found.
+Question correction_question(const Identification& found, const Match& m) {
+  Question q;
+  q.integrator = m.candidate.name();
+  q.dt = found.dt.str();
+  if (m.candidate.substep_count() > 1) q.substep_count = m.candidate.substep_count();
+  for (const auto& [name, value] : m.candidate.fixed)
+    if (name != "N") q.parameters.push_back(name + "=" + value.str());
+  const auto told = [](const std::optional<Rational>& exact, const Fitted& fitted) {
+    return exact ? exact->str() : Rational::parse(fmt::format("{:.9g}", fitted.value)).str();
+  };
+  const bool damped = m.fit.c.value != 0 && !(m.c && m.c->is_zero());
+  const bool spring = m.fit.k.value != 0 && !(m.k && m.k->is_zero());
+  const std::string c = told(m.c, m.fit.c), k = told(m.k, m.fit.k);
+  if (m.candidate.own_damping) q.parameters.push_back("c=" + (damped ? c : std::string("0")));
+  const bool drag = damped && !m.candidate.own_damping;
+  if (spring)
+    q.force = drag ? "damped-spring:k=" + k + ",c=" + c : "spring:k=" + k;
+  else if (drag)
+    q.force = "constant+drag:c=" + c;
+  return q;
+}
+
+/// The same as the user would type it.
+std::string typed(const Question& q) {
+  std::string text = "shortfall correct " + q.integrator;
+  if (q.force != "constant") text += " --force " + q.force;
+  if (q.substep_count) text += fmt::format(" --substeps {}", *q.substep_count);
+  for (const std::string& p : q.parameters) text += " --param " + p;
+  return text + " --dt " + q.dt;
+}
+
+/// The kit for the map that was found; of several that are the same map, for the first.
+std::string repair_text(const Identification& found) {
+  if (!found.identifiable) return "";
+  const Question q = correction_question(found, found.matches.front());
+  std::string text = "\nWhat repairs it (" + typed(q) + ")\n";
+  try {
+    std::istringstream lines(correction_answer(q).text);
+    for (std::string line; std::getline(lines, line);) text += "  " + line + "\n";
+  } catch (const Error& e) {
+    text += std::string("  none: ") + e.what() + "\n";
+  }
+  return text;
+}
+
+void draw(const Log& log, const Identification& found, const std::string& file) {
+  try {
+    write_output(image(residual_figure(log, found), image_format(file)), file);
+  } catch (const ProgramError& e) {
+    throw OutputError(e.what());
+  }
+  say("wrote " + file);
+}
+
 int identify_log(const IdentifyWords& o) {
   if (!o.by_dt.empty()) return identify_by_dt(o);
   if (o.file.empty()) throw BadInput("which log? shortfall identify log.csv");
+  if (!o.plot.empty()) image_format(o.plot);  // before the work
   const Log log = read_log(o.file, o.log_options());
   const Identification found = identify(log, o.identify_options(log));
-  write_output(o.json ? as_json(log, found).dump(2) + "\n" : as_text(log, found, o.all ? 100'000 : 12),
-               o.output);
+  if (!o.plot.empty()) draw(log, found, o.plot);
+  if (!o.language.empty()) {
+    if (found.kind != Identification::Kind::map || !found.identifiable)
+      throw Unable(
+          "code is printed for the one map that makes a log; this one " +
+          (found.matches.empty() ? "no map makes" : fmt::format("{} different maps make", found.groups)));
+    write_output(correction_code(correction_question(found, found.matches.front()), o.language, ""),
+                 o.output);
+    return kDone;
+  }
+  if (o.json) {
+    auto json = as_json(log, found);
+    json["repair"] = nullptr;
+    if (found.identifiable) json["repair"] = typed(correction_question(found, found.matches.front()));
+    write_output(json.dump(2) + "\n", o.output);
+  } else {
+    write_output(as_text(log, found, o.all ? 100'000 : 12) + repair_text(found), o.output);
+  }
   return found.kind == Identification::Kind::map ? kDone : kRefuted;
 }
 
@@ -91,7 +167,8 @@ int identify_log(const IdentifyWords& o) {
 void add_identify(CLI::App& app, int& code) {
   CLI::App* command = new_command(
       app, "Engines", "identify", "Which integrator made a log of positions, with which parameters.",
-      {"identify log.csv --dt 1/50 --g 9.81", "identify log.csv", "identify log.csv --json"});
+      {"identify log.csv --dt 1/50 --g 9.81", "identify log.csv", "identify log.csv --plot residuals.svg",
+       "identify log.csv --lang csharp", "identify log.csv --json"});
   auto o = std::make_shared<IdentifyWords>();
   command->add_option("LOG", o->file, "CSV, TSV or JSON lines: positions, and velocities where there are any")
       ->type_name("FILE");
@@ -100,6 +177,14 @@ void add_identify(CLI::App& app, int& code) {
                    "instead of a log: peaks at several steps, 30Hz:165px 60Hz:150px 120Hz:142.5px")
       ->type_name("STEP:VALUE");
   add_log_words(*command, *o);
+  command
+      ->add_option("--plot", o->plot, "what the maps leave unexplained, frame by frame: .svg, .png or .pdf")
+      ->type_name("FILE");
+  command
+      ->add_option(
+          "--lang", o->language,
+          "when one map was found, what repairs it as code: csharp, cpp, gdscript, python, rust, javascript")
+      ->type_name("L");
   command->add_flag("--all", o->all, "list every map that reproduces the log");
   command->add_flag("--json", o->json, "the answer as JSON");
   command->add_option("-o,--output", o->output, "write to this file")->type_name("FILE");

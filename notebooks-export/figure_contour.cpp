@@ -13,7 +13,8 @@ namespace {
 using Path = Figure::Path;
 using Point = Figure::Point;
 
-/// The grid with a frame around it that lies above every level, at the place of the outermost values: all lines are closed.
+/// The grid with a frame around it that lies above every level, at the place of the outermost values: all
+/// lines are closed.
 class Framed {
  public:
   Framed(const Grid& grid, double level) : grid_(grid), level_(level) {}
@@ -78,7 +79,9 @@ class Marching {
     return to;
   }
 
-  long edge(int c, int r, bool upwards) { return 2 * (static_cast<long>(r) * field_.columns() + c) + (upwards ? 1 : 0); }
+  long edge(int c, int r, bool upwards) {
+    return 2 * (static_cast<long>(r) * field_.columns() + c) + (upwards ? 1 : 0);
+  }
 
   /// The four edges of a cell, counter-clockwise from the lower one.
   long side(int c, int r, int which) {
@@ -86,14 +89,17 @@ class Marching {
     const bool upwards = which % 2 == 1;
     const long id = edge(c1, r1, upwards);
     const int c2 = upwards ? c1 : c1 + 1, r2 = upwards ? r1 + 1 : r1;
-    if (!vertices_.contains(id)) vertices_[id] = {field_.crossing(c1, r1, c2, r2), field_.frame(c1, r1) || field_.frame(c2, r2)};
+    if (!vertices_.contains(id))
+      vertices_[id] = {field_.crossing(c1, r1, c2, r2), field_.frame(c1, r1) || field_.frame(c2, r2)};
     return id;
   }
 
   /// Lines that keep the inside on their left.
   void cell(int c, int r) {
-    const bool in[4] = {field_.inside(c, r), field_.inside(c + 1, r), field_.inside(c + 1, r + 1), field_.inside(c, r + 1)};
-    // Along side k from corner k to corner k + 1: a line ends where the inside begins and starts where it ends.
+    const bool in[4] = {field_.inside(c, r), field_.inside(c + 1, r), field_.inside(c + 1, r + 1),
+                        field_.inside(c, r + 1)};
+    // Along side k from corner k to corner k + 1: a line ends where the inside begins and starts where it
+    // ends.
     std::vector<int> starts, ends;
     for (int k = 0; k < 4; ++k) {
       if (in[k] && !in[(k + 1) % 4]) starts.push_back(k);
@@ -101,7 +107,9 @@ class Marching {
     }
     if (starts.size() == 2) {
       // A saddle: its middle decides which corners belong together.
-      const double middle = (field_.value(c, r) + field_.value(c + 1, r) + field_.value(c + 1, r + 1) + field_.value(c, r + 1)) / 4;
+      const double middle = (field_.value(c, r) + field_.value(c + 1, r) + field_.value(c + 1, r + 1) +
+                             field_.value(c, r + 1)) /
+                            4;
       const bool joined = middle <= field_.level();
       for (const int s : starts) {
         const int e = joined ? (s + 1) % 4 : (s + 3) % 4;
@@ -130,7 +138,9 @@ double signed_area(const Path& p) {
 bool contains(const Path& p, const Point& q) {
   bool inside = false;
   for (std::size_t i = 0, j = p.size() - 1; i < p.size(); j = i++)
-    if ((p[i].y > q.y) != (p[j].y > q.y) && q.x < (p[j].x - p[i].x) * (q.y - p[i].y) / (p[j].y - p[i].y) + p[i].x) inside = !inside;
+    if ((p[i].y > q.y) != (p[j].y > q.y) &&
+        q.x < (p[j].x - p[i].x) * (q.y - p[i].y) / (p[j].y - p[i].y) + p[i].x)
+      inside = !inside;
   return inside;
 }
 
@@ -154,7 +164,9 @@ void cut(Path& outline, const Path& hole) {
 /// The pieces of a loop that do not run along the frame.
 void append_lines(const std::vector<Vertex>& loop, std::vector<Path>& lines) {
   const std::size_t size = loop.size();
-  const auto along_frame = [&](std::size_t k) { return loop[k % size].on_frame && loop[(k + 1) % size].on_frame; };
+  const auto along_frame = [&](std::size_t k) {
+    return loop[k % size].on_frame && loop[(k + 1) % size].on_frame;
+  };
   std::size_t begin = 0;
   while (begin < size && !along_frame(begin)) ++begin;
   Path line;
@@ -188,7 +200,8 @@ LevelRegion level_region(const Grid& grid, double level) {
     // The smallest outline around it.
     Path* around = nullptr;
     for (Path& outline : result.outlines)
-      if (contains(outline, hole.front()) && (!around || signed_area(outline) < signed_area(*around))) around = &outline;
+      if (contains(outline, hole.front()) && (!around || signed_area(outline) < signed_area(*around)))
+        around = &outline;
     if (around) cut(*around, hole);
   }
   return result;

@@ -17,8 +17,8 @@ ImageFormat image_format(const std::string& path);
 
 /// A figure as a script for gnuplot that writes the image to its standard output.
 ///
-/// Texts stand in single quotes only, with quotes doubled and control characters made blanks: gnuplot would run what stands in backquotes
-/// between double quotes. Everything else is numbers.
+/// Texts stand in single quotes only, with quotes doubled and control characters made blanks: gnuplot would
+/// run what stands in backquotes between double quotes. Everything else is numbers.
 std::string gnuplot_script(const Figure& figure, ImageFormat format);
 
 /// Something outside shortfall failed: gnuplot is not installed, or it refused.

@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "analysis/algebra/error.hpp"
+#include "notebooks-export/figure_labels.hpp"
 
 namespace shortfall {
 
@@ -23,23 +24,6 @@ std::string rate_text(const Rational& dt) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), "%.6g Hz", 1 / dt.to_double());
   return text.data();
-}
-
-/// A round number above.
-double round_up(double value) {
-  const double power = std::pow(10.0, std::floor(std::log10(value)));
-  for (const double m : {1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 5.0, 6.0, 8.0})
-    if (m * power >= value) return m * power;
-  return 10 * power;
-}
-
-/// Names at the right end, apart by at least a line.
-void place(Figure::Panel& panel, std::vector<Figure::Label> labels) {
-  std::ranges::sort(labels, [](const auto& a, const auto& b) { return a.at.y < b.at.y; });
-  const double line = (panel.y.high - panel.y.low) / 22;
-  for (std::size_t i = 1; i < labels.size(); ++i)
-    labels[i].at.y = std::max(labels[i].at.y, labels[i - 1].at.y + line);
-  for (Figure::Label& l : labels) panel.labels.push_back(std::move(l));
 }
 
 }  // namespace
@@ -100,12 +84,12 @@ Figure jump_figure(const std::vector<Flight>& flights, const Rational& height, c
         {{shortfall.back().x + end * 0.03, shortfall.back().y}, rate_text(flight.dt()), ink});
   }
   arcs.x.high = errors.x.high = end * 1.25;
-  arcs.y.high = round_up(top * 1.02);
-  arcs.y.low = bottom < 0 ? -round_up(-bottom * 1.05) : 0;
-  errors.y.high = worst > 0 ? round_up(worst * 1.05) : best < 0 ? 0 : 1;
-  errors.y.low = best < 0 ? -round_up(-best * 1.05) : 0;
-  place(arcs, std::move(names));
-  place(errors, std::move(error_names));
+  arcs.y.high = rounded_up(top * 1.02);
+  arcs.y.low = bottom < 0 ? -rounded_up(-bottom * 1.05) : 0;
+  errors.y.high = worst > 0 ? rounded_up(worst * 1.05) : best < 0 ? 0 : 1;
+  errors.y.low = best < 0 ? -rounded_up(-best * 1.05) : 0;
+  place_apart(arcs, std::move(names));
+  place_apart(errors, std::move(error_names));
   figure.panels = {std::move(arcs), std::move(errors)};
   return figure;
 }

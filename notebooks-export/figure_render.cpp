@@ -34,7 +34,8 @@ class Scratch {
     std::rewind(file_.get());
     std::string result;
     char buffer[65536];
-    for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file_.get())) > 0;) result.append(buffer, got);
+    for (std::size_t got; (got = std::fread(buffer, 1, sizeof buffer, file_.get())) > 0;)
+      result.append(buffer, got);
     return result;
   }
 
@@ -42,7 +43,8 @@ class Scratch {
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
 };
 
-const char* const kMissing = "gnuplot is not installed: figures need it (on Debian: apt-get install gnuplot-nox)";
+const char* const kMissing =
+    "gnuplot is not installed: figures need it (on Debian: apt-get install gnuplot-nox)";
 
 }  // namespace
 
@@ -79,7 +81,8 @@ std::string image(const Figure& figure, ImageFormat format) {
     if (errno != EINTR) throw ProgramError(std::string("lost gnuplot: ") + std::strerror(errno));
   if (WIFEXITED(status) && WEXITSTATUS(status) == 127) throw ProgramError(kMissing);
   std::string bytes = output.text();
-  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty()) throw ProgramError("gnuplot failed: " + messages.text().substr(0, 500));
+  if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || bytes.empty())
+    throw ProgramError("gnuplot failed: " + messages.text().substr(0, 500));
   return bytes;
 }
 

@@ -6,8 +6,8 @@
 
 namespace shortfall {
 
-/// The sizes of the eigenvalues against h w, with the stable windows and the limit; for integrators with a stability function also the
-/// region |R(z)| <= 1 of the complex plane.
+/// The sizes of the eigenvalues against h w, with the stable windows and the limit; for integrators with a
+/// stability function also the region |R(z)| <= 1 of the complex plane.
 Figure stability_figure(const Stability& stability);
 
 }  // namespace shortfall

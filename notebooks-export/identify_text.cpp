@@ -109,7 +109,7 @@ std::string as_text(const Log& log, const Identification& found, std::size_t mos
   if (found.kind != Kind::map) {
     text += "No map: " + found.advice + ".\n";
     for (const Match& m : found.matches)
-      text += fmt::format("  {:<32} {:<18} {}\n", m.candidate.str(), difference(found, m),
+      text += fmt::format("  {:<32} {:<24} {}\n", m.candidate.str(), difference(found, m),
                           parameters_text(log, m));
     if (!found.nearest.empty() && found.kind == Kind::none) {
       text += "\nNearest, and refuted\n";
@@ -129,7 +129,7 @@ std::string as_text(const Log& log, const Identification& found, std::size_t mos
       text += fmt::format("  and {} more (--all lists them)\n", found.matches.size() - most);
       break;
     }
-    text += fmt::format("  {:<32} {:<18} {}{}\n", m.candidate.str(), difference(found, m),
+    text += fmt::format("  {:<32} {:<24} {}{}\n", m.candidate.str(), difference(found, m),
                         parameters_text(log, m),
                         m.fit.launch == Launch::impulse ? ", launched by an impulse" : "");
   }

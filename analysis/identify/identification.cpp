@@ -288,12 +288,20 @@ class Identifying {
                        std::to_string(group_count(groups(found, *e))) + " groups";
   }
 
+  /// Whether somebody would have typed these numbers.
+  static bool simple(const Match& m) {
+    const auto typed = [](const std::optional<Rational>& value) {
+      return !value || value->denominator().to_double() <= 1e6;
+    };
+    return typed(m.c) && typed(m.k);
+  }
+
   /// Exact ones first; then, where bits are recorded, the smaller difference; otherwise engines, and what is
   /// more probable; of the same, fewer substeps.
   std::array<double, 4> rank(const Match& m) const {
     const bool engine = family(*m.candidate.program) == "engines";
     if (result_.bits && !m.exact) return {1, std::round(m.ulp * 100), engine ? 0.0 : 1.0, 0};
-    return {m.exact ? 0.0 : 1.0, static_cast<double>(m.fit.free), engine ? 0.0 : 1.0,
+    return {(m.exact ? 0.0 : 2.0) + (simple(m) ? 0 : 1), static_cast<double>(m.fit.free), engine ? 0.0 : 1.0,
             m.exact ? static_cast<double>(m.candidate.substep_count()) : -m.fit.log_likelihood};
   }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/real_roots.hpp"
@@ -220,34 +221,60 @@ class Matching {
     return {c, neighbour(c, 1, narrow()), neighbour(c, -1, narrow())};
   }
 
+  /// Where a body is in the second row when it is launched so.
+  double first_position(Flight& flight, double& number, double value, int axis) const {
+    number = value;
+    double x = 0;
+    fly(candidate_, {o_.frame[0], o_.frame[1]}, o_.dt, flight,
+        [&](std::size_t, const Log::Triple& at, const Log::Triple&) {
+          x = at[static_cast<std::size_t>(axis)];
+          return true;
+        });
+    return x;
+  }
+
+  /// The first neighbour of a launch with which the body comes as far in the second row as the log says: it
+  /// goes the farther the faster it starts. kNeighbours + 1 when none does.
+  int first_that_reaches(Flight& flight, double& number, double middle, int axis) const {
+    const double wanted = o_.x[1][static_cast<std::size_t>(axis)];
+    int low = -kNeighbours - 1, high = kNeighbours + 1;
+    while (high - low > 1) {
+      const int between = low + (high - low) / 2;
+      const bool reaches =
+          first_position(flight, number, neighbour(middle, between, narrow()), axis) >= wanted;
+      (reaches ? high : low) = between;
+    }
+    return high;
+  }
+
   /// Whether there is a launch that makes the log; a launch that was recorded is it.
   bool launched(Flight& flight) const {
     if (velocity_known() && flight.launch == Launch::velocity)
       return compare(candidate_, o_, flight, -1, false).exact;
-    for (const int axis : o_.axes) {
+    // The axis that moves most refutes soonest.
+    std::vector<int> axes = o_.axes;
+    std::ranges::stable_sort(axes, std::greater<>(), [&](int axis) {
+      const auto i = static_cast<std::size_t>(axis);
+      double most = 0;
+      for (const Log::Triple& x : o_.x) most = std::max(most, std::fabs(x[i] - o_.x[0][i]));
+      return most;
+    });
+    for (const int axis : axes) {
       double& number =
           (flight.launch == Launch::impulse ? flight.impulse : flight.v0)[static_cast<std::size_t>(axis)];
       const double middle = number;
       if (velocity_known() == false && flight.launch == Launch::impulse)
         flight.v0[static_cast<std::size_t>(axis)] = 0;
+      const auto makes = [&](double value) {
+        number = value;
+        return compare(candidate_, o_, flight, axis, false).exact;
+      };
+      if (std::fabs(middle) < 1e-9 && makes(0)) continue;
       bool found = false;
-      double up = middle, down = middle;
-      for (int i = 0; i <= kNeighbours && !found; ++i) {
-        number = up;
-        found = compare(candidate_, o_, flight, axis, false).exact;
-        if (found || i == 0) {
-          up = neighbour(up, 1, narrow());
-          down = neighbour(down, -1, narrow());
-          if (i == 0 && !found && middle != 0 && std::fabs(middle) < 1e-9) {
-            number = 0;
-            found = compare(candidate_, o_, flight, axis, false).exact;
-          }
-          continue;
-        }
-        number = down;
-        found = compare(candidate_, o_, flight, axis, false).exact;
-        up = neighbour(up, 1, narrow());
-        down = neighbour(down, -1, narrow());
+      for (int i = first_that_reaches(flight, number, middle, axis); !found && i <= kNeighbours; ++i) {
+        const double value = neighbour(middle, i, narrow());
+        if (first_position(flight, number, value, axis) > o_.x[1][static_cast<std::size_t>(axis)]) break;
+        found = makes(value);
       }
       if (!found) return false;
     }
