@@ -288,20 +288,24 @@ class Identifying {
                        std::to_string(group_count(groups(found, *e))) + " groups";
   }
 
-  /// Whether somebody would have typed these numbers.
-  static bool simple(const Match& m) {
-    const auto typed = [](const std::optional<Rational>& value) {
-      return !value || value->denominator().to_double() <= 1e6;
+  /// How many digits the fractions take that somebody would have typed for damping, spring and acceleration:
+  /// of maps that do the same, the one with the simplest numbers is the likeliest.
+  double typed_digits(const Match& m) const {
+    constexpr double kNoFraction = 9;
+    const auto digits = [](const std::optional<Rational>& value) {
+      return value ? std::log10(value->denominator().to_double()) : kNoFraction;
     };
-    return typed(m.c) && typed(m.k);
+    double sum = digits(m.c) + digits(m.k);
+    for (const int axis : log_.axes) sum += digits(m.a[static_cast<std::size_t>(axis)]);
+    return std::round(sum);
   }
 
-  /// Exact ones first; then, where bits are recorded, the smaller difference; otherwise engines, and what is
-  /// more probable; of the same, fewer substeps.
+  /// Exact ones first, or else, where bits are recorded, the smaller difference; then simpler numbers,
+  /// engines, fewer substeps or what is more probable.
   std::array<double, 4> rank(const Match& m) const {
     const bool engine = family(*m.candidate.program) == "engines";
-    if (result_.bits && !m.exact) return {1, std::round(m.ulp * 100), engine ? 0.0 : 1.0, 0};
-    return {(m.exact ? 0.0 : 2.0) + (simple(m) ? 0 : 1), static_cast<double>(m.fit.free), engine ? 0.0 : 1.0,
+    const double difference = m.exact ? -1 : result_.bits ? std::round(m.ulp * 100) : 0;
+    return {difference, typed_digits(m), engine ? 0.0 : 1.0,
             m.exact ? static_cast<double>(m.candidate.substep_count()) : -m.fit.log_likelihood};
   }
 

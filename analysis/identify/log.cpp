@@ -51,7 +51,8 @@ class Reader {
     ++line_;
     for (int c; (c = in_.get()) != std::char_traits<char>::eof();) {
       if (c == '\n') return true;
-      if (c == '\0') complain("this is no text (a binary file, or UTF-16?)");
+      if ((c < 0x20 && c != '\t' && c != '\r') || c == 0x7F)
+        complain("this is no text (a binary file, or UTF-16?)");
       text_ += static_cast<char>(c);
       if (text_.size() > kLongestLine) complain("the line is longer than 100,000 bytes");
     }

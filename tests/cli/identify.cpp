@@ -83,6 +83,7 @@ TEST_CASE("identify refuses what is no log, each in one sentence with its place"
     CHECK(o.out.empty());
   };
   refused("", 3, "the file is empty");
+  refused("\x01\x02 y\n0,1\n", 3, "this is no text");
   refused("time,y\n0,1\n", 3, "row");
   refused("time,y\n0,1\n0.02,1\n0.04,1\n0.06,1\n0.08,1\n", 4, "the body does not move");
   refused("time,y\n0,1\n0.02,nan\n0.04,3\n0.06,4\n", 3, "bad.csv:3:");
