@@ -84,6 +84,8 @@ void add_export(CLI::App& app, int& code);
 void add_identify(CLI::App& app, int& code);
 void add_port(CLI::App& app, int& code);
 void add_guard(CLI::App& app, int& code);
+void add_completion(CLI::App& app, int& code);
+void add_manual(CLI::App& app, int& code);
 
 /// A new command: its group in the help, examples first.
 CLI::App* new_command(CLI::App& app, const std::string& group, const std::string& name,

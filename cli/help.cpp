@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "analysis/program/suggest.hpp"
+#include "cli/word_list.hpp"
 
 #ifndef SHORTFALL_VERSION
 #define SHORTFALL_VERSION "0"
@@ -24,10 +25,28 @@ void describe(CLI::App& app) {
   app.get_formatter()->column_width(34);
 }
 
+namespace {
+
+/// All commands, a line each; what each can do is for its own help.
+std::string overview(const CLI::App& app) {
+  constexpr std::size_t kNames = 12;
+  std::string text = app.get_description() + "\n\nUsage: shortfall COMMAND [OPTIONS]\n";
+  std::string group;
+  for (const WordCommand& c : word_list(app)) {
+    if (c.group != group) text += "\n" + (group = c.group) + ":\n";
+    text += "  " + c.name + std::string(kNames - std::min(kNames - 1, c.name.size()), ' ') + c.about + "\n";
+  }
+  return text +
+         "\n  shortfall COMMAND --help   what a command can do, with examples\n"
+         "  shortfall --version        the version; with --json also of what it is built with\n";
+}
+
+}  // namespace
+
 std::string help(const CLI::App& app) {
   const CLI::App* asked = &app;
   while (!asked->get_subcommands().empty()) asked = asked->get_subcommands().front();
-  return asked == &app ? asked->help() : asked->help("shortfall");
+  return asked == &app ? overview(app) : asked->help("shortfall");
 }
 
 std::string unknown_word(const CLI::App& app, int argc, const char* const* argv) {

@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <new>
+#include <string>
+#include <vector>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
 #include "cli/help.hpp"
 #include "cli/output.hpp"
+#include "cli/version.hpp"
 
 namespace {
 
@@ -43,7 +47,14 @@ int run(int argc, char** argv) {
   add_show(app, code);
   add_new(app, code);
   add_doctor(app, code);
+  add_completion(app, code);
+  add_manual(app, code);
 
+  const std::vector<std::string> words(argv + std::min(argc, 1), argv + argc);
+  if (words == std::vector<std::string>{"--version", "--json"}) {
+    write_output(version_json());
+    return kDone;
+  }
   const std::string complaint = unknown_word(app, argc, argv);
   if (!complaint.empty()) {
     say("shortfall: " + complaint);

@@ -49,17 +49,27 @@ void stability(const StabilityOptions& o) {
 }  // namespace
 
 void add_stability(CLI::App& app, int&) {
-  CLI::App* command = new_command(app, "Prove", "stability", "For which steps an oscillation stays bounded, exactly; what happens at the limit; A- and L-stability.",
-                                  {"stability symplectic-euler", "stability newmark --param beta=0 --param gamma=1/2", "stability rk4 --plot rk4.svg",
-                                   "stability velocity-verlet --substeps 4 --json", "stability cannon-es --param c=0.1 --dt 60Hz"});
+  CLI::App* command = new_command(
+      app, "Prove", "stability",
+      "For which steps an oscillation stays bounded, exactly; what happens at the limit; A- and L-stability.",
+      {"stability symplectic-euler", "stability newmark --param beta=0 --param gamma=1/2",
+       "stability rk4 --plot rk4.svg", "stability velocity-verlet --substeps 4 --json",
+       "stability cannon-es --param c=0.1 --dt 60Hz"});
   auto o = std::make_shared<StabilityOptions>();
   add_integrator(*command, *o);
   add_parameters(*command, *o);
-  command->add_option("--dt", o->frame, "the frame, for an engine whose damping depends on it: 1/60, 60Hz; without it the answer holds for every frame")
+  command
+      ->add_option("--dt", o->frame,
+                   "the frame, for an engine whose damping depends on it: 1/60, 60Hz; without it the answer "
+                   "holds for every frame")
       ->type_name("DT");
   add_json(*command, *o);
   add_ascii(*command, *o);
-  command->add_option("--plot", o->plot, "draw the eigenvalues and the stable region (needs gnuplot): a file that ends in .svg, .png or .pdf")->type_name("FILE");
+  command
+      ->add_option("--plot", o->plot,
+                   "draw the eigenvalues and the stable region (needs gnuplot): a file that ends in .svg, "
+                   ".png or .pdf")
+      ->type_name("FILE");
   add_output(*command, *o);
   command->callback([o] { stability(*o); });
 }

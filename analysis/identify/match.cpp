@@ -221,6 +221,20 @@ class Matching {
     return {c, neighbour(c, 1, narrow()), neighbour(c, -1, narrow())};
   }
 
+  /// Launches that a program would have been given; the fit of one may be more last places away than are
+  /// tried.
+  std::vector<double> round_launches(Launch launch, int axis) const {
+    const auto i = static_cast<std::size_t>(axis);
+    const Fitted& fitted = launch == Launch::impulse ? match_.fit.j[i] : match_.fit.v0[i];
+    std::vector<double> values;
+    if (std::fabs(fitted.value) < 1e-9) values.push_back(0);
+    for (const double wider : {1.0, 64.0})
+      if (const auto told = nice(fitted, 0, wider);
+          told && std::ranges::find(values, told->to_double()) == values.end())
+        values.push_back(told->to_double());
+    return values;
+  }
+
   /// Where a body is in the second row when it is launched so.
   double first_position(Flight& flight, double& number, double value, int axis) const {
     number = value;
@@ -269,8 +283,9 @@ class Matching {
         number = value;
         return compare(candidate_, o_, flight, axis, false).exact;
       };
-      if (std::fabs(middle) < 1e-9 && makes(0)) continue;
       bool found = false;
+      for (const double value : round_launches(flight.launch, axis)) found = found || makes(value);
+      if (found) continue;
       for (int i = first_that_reaches(flight, number, middle, axis); !found && i <= kNeighbours; ++i) {
         const double value = neighbour(middle, i, narrow());
         if (first_position(flight, number, value, axis) > o_.x[1][static_cast<std::size_t>(axis)]) break;
