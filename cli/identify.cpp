@@ -8,6 +8,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/identify/by_dt.hpp"
 #include "analysis/identify/identification.hpp"
+#include "analysis/program/parse.hpp"
 #include "cli/command.hpp"
 #include "cli/correct.hpp"
 #include "cli/log_options.hpp"
@@ -26,7 +27,7 @@ struct IdentifyWords : LogWords {
   bool all = false;
   bool json = false;
   std::string output, plot, language;
-  std::vector<std::string> by_dt;
+  std::vector<std::string> by_dt, own;
 };
 
 /// "30Hz:165px": a step and what was seen with it, in units that stay as they are.
@@ -140,7 +141,14 @@ int identify_log(const IdentifyWords& o) {
   if (o.file.empty()) throw BadInput("which log? shortfall identify log.csv");
   if (!o.plot.empty()) image_format(o.plot);  // before the work
   const Log log = read_log(o.file, o.log_options());
-  const Identification found = identify(log, o.identify_options(log));
+  IdentifyOptions options = o.identify_options(log);
+  // Candidates point to their programs.
+  std::vector<Program> own;
+  for (const std::string& file : o.own) own.push_back(parse_file(file));
+  if (!own.empty()) options.only = known_candidates();
+  for (const Program& program : own)
+    for (const Candidate& c : candidates_of(program)) options.only.push_back(c);
+  const Identification found = identify(log, options);
   if (!o.plot.empty()) draw(log, found, o.plot);
   if (!o.language.empty()) {
     if (found.kind != Identification::Kind::map || !found.identifiable)
@@ -165,10 +173,11 @@ int identify_log(const IdentifyWords& o) {
 }  // namespace
 
 void add_identify(CLI::App& app, int& code) {
-  CLI::App* command = new_command(
-      app, "Engines", "identify", "Which integrator made a log of positions, with which parameters.",
-      {"identify log.csv --dt 1/50 --g 9.81", "identify log.csv", "identify log.csv --plot residuals.svg",
-       "identify log.csv --lang csharp", "identify log.csv --json"});
+  CLI::App* command = new_command(app, "Engines", "identify",
+                                  "Which integrator made a log of positions, with which parameters.",
+                                  {"identify log.csv --dt 1/50 --g 9.81", "identify log.csv",
+                                   "identify log.csv --plot residuals.svg", "identify log.csv --lang csharp",
+                                   "identify log.csv --with my-own.integrator", "identify log.csv --json"});
   auto o = std::make_shared<IdentifyWords>();
   command->add_option("LOG", o->file, "CSV, TSV or JSON lines: positions, and velocities where there are any")
       ->type_name("FILE");
@@ -185,6 +194,8 @@ void add_identify(CLI::App& app, int& code) {
           "--lang", o->language,
           "when one map was found, what repairs it as code: csharp, cpp, gdscript, python, rust, javascript")
       ->type_name("L");
+  command->add_option("--with", o->own, "also hold this integrator of yours against the log; may be repeated")
+      ->type_name("FILE");
   command->add_flag("--all", o->all, "list every map that reproduces the log");
   command->add_flag("--json", o->json, "the answer as JSON");
   command->add_option("-o,--output", o->output, "write to this file")->type_name("FILE");

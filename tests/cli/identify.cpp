@@ -95,6 +95,31 @@ TEST_CASE("identify refuses what is no log, each in one sentence with its place"
   CHECK(folder.run("identify good.csv --dt soon").code == 2);
 }
 
+TEST_CASE("identify --with: an integrator of the user is a candidate as well") {
+  const Folder folder;
+  // A step that nobody else has: the position moves with a mean of three quarters of the new velocity.
+  std::string log = "time,y,vy\n";
+  double y = 0, v = 10;
+  for (int n = 0; n < 60; ++n) {
+    char line[100];
+    std::snprintf(line, sizeof line, "%.12g,%.6f,%.6f\n", n * 0.02, y, v);
+    log += line;
+    const double before = v;
+    v = v - 0.02 * 9.81 - 0.01 * v;
+    y = y + 0.02 * (0.25 * before + 0.75 * v);
+  }
+  folder.write("log.csv", log);
+  folder.write("mine.integrator",
+               "integrator mine\n  param c = 1/2\nstep\n  u = v + h*a(x, v, t) - c*h*v\n"
+               "  x = x + h*(1/4*v + 3/4*u)\n  v = u\n");
+  CHECK_FALSE(contains(folder.run("identify log.csv --all").out, "mine"));
+  const Outcome found = folder.run("identify log.csv --with mine.integrator");
+  CAPTURE(found.out);
+  CHECK(found.code == 0);
+  CHECK(contains(found.out, "mine "));
+  CHECK(folder.run("identify log.csv --with nowhere.integrator").code == 5);
+}
+
 TEST_CASE("identify --by-dt: order, limit and method from peaks") {
   const Outcome o = run("identify --by-dt 30Hz:165px 60Hz:150px 120Hz:142.5px");
   CHECK(o.code == 0);
