@@ -6,13 +6,14 @@ Usage: fill_blocks.py SHORTFALL DOCUMENT...
 import os
 import subprocess
 import sys
-import tempfile
+
+from run_blocks import folder_of_document
 
 
 def refilled(path, shortfall):
     inside, output = False, []
     environment = dict(os.environ, PATH=os.path.dirname(shortfall) + os.pathsep + os.environ["PATH"], NO_COLOR="1")
-    with tempfile.TemporaryDirectory() as folder:
+    with folder_of_document() as folder:
         for line in open(path, encoding="utf-8").read().split("\n"):
             if line.startswith("```"):
                 inside = line.strip() == "```console"

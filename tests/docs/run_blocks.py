@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Runs every command of the ```console blocks of documents again and compares what it prints.
 
-A line `$ command` is run in an empty directory with shortfall on the PATH; the lines up to the next `$` or the end of the block must be its
-output (stdout and stderr together). A line `...` stands for any number of lines. `# exit N` as the last line states the exit code.
+A line `$ command` is run with shortfall on the PATH in a directory of the document's own, empty but for links to the repository's examples, scenes and
+tests (so what a reader runs at the root of the repository runs here); the lines up to the next `$` or the end of the block must be its output (stdout
+and stderr together). A line `...` stands for any number of lines. `# exit N` as the last line states the exit code.
 Usage: run_blocks.py SHORTFALL DOCUMENT...
 """
 import difflib
@@ -10,6 +11,15 @@ import os
 import subprocess
 import sys
 import tempfile
+
+
+def folder_of_document():
+    """A new directory in which the commands of one document are run."""
+    folder = tempfile.TemporaryDirectory()
+    root = os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+    for name in ("examples", "scenes", "tests"):
+        os.symlink(os.path.join(root, name), os.path.join(folder.name, name))
+    return folder
 
 
 def blocks(path):
@@ -39,7 +49,7 @@ def main():
     shortfall, documents = os.path.abspath(sys.argv[1]), sys.argv[2:]
     passed = failed = 0
     for document in documents:
-        with tempfile.TemporaryDirectory() as folder:
+        with folder_of_document() as folder:
             environment = dict(os.environ, PATH=os.path.dirname(shortfall) + os.pathsep + os.environ["PATH"], NO_COLOR="1")
             for number, command, expected in blocks(document):
                 code = 0
