@@ -2,10 +2,19 @@
 # Every command that a document shows is run again, and its output compared.
 find_program(SHORTFALL_PYTHON3 python3)
 if(SHORTFALL_PYTHON3 AND TARGET shortfall)
+  set(documents README.md)
+  foreach(name index frames linear tableau audit clock lessons order modified floats engines mathematics how-we-know)
+    list(APPEND documents docs/${name}.md)
+  endforeach()
+  foreach(name my-jump-is-too-low jump-height-and-frame-rate damping-at-30-hz which-integrator is-float-enough teach-it)
+    list(APPEND documents docs/tutorial/${name}.md)
+  endforeach()
+  list(TRANSFORM documents PREPEND "${PROJECT_SOURCE_DIR}/")
   add_test(NAME docs_commands
-    COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/run_blocks.py" $<TARGET_FILE:shortfall> "${PROJECT_SOURCE_DIR}/README.md"
-      "${PROJECT_SOURCE_DIR}/docs/frames.md" "${PROJECT_SOURCE_DIR}/docs/linear.md"
-      "${PROJECT_SOURCE_DIR}/docs/tableau.md" "${PROJECT_SOURCE_DIR}/docs/audit.md" "${PROJECT_SOURCE_DIR}/docs/clock.md"
-      "${PROJECT_SOURCE_DIR}/docs/lessons.md" "${PROJECT_SOURCE_DIR}/docs/order.md" "${PROJECT_SOURCE_DIR}/docs/modified.md")
-  set_tests_properties(docs_commands PROPERTIES LABELS docs)
+    COMMAND "${SHORTFALL_PYTHON3}" -B "${CMAKE_CURRENT_LIST_DIR}/run_blocks.py" $<TARGET_FILE:shortfall> ${documents})
+  # The reference of the command is what the command says of itself.
+  add_test(NAME docs_reference
+    COMMAND "${SHORTFALL_PYTHON3}" -B "${CMAKE_CURRENT_LIST_DIR}/make_commands.py" --check $<TARGET_FILE:shortfall>
+      "${PROJECT_SOURCE_DIR}/docs/commands.md")
+  set_tests_properties(docs_commands docs_reference PROPERTIES LABELS docs)
 endif()
