@@ -51,6 +51,8 @@ def entries(lines):
             found[-1][1] += " " + line.strip()
         elif line.strip():
             head, _, tail = re.sub(r"^(-\w),\s+--", r"\1,--", line.strip()).partition("  ")
+            if not tail and line[33:34] == " ":  # what is written fills its column to the last character but one
+                head, tail = line[:33].strip(), line[34:]
             found.append([head, tail.strip()])
     return [(head.replace(" ...", "..."), meaning.strip()) for head, meaning in found]
 
