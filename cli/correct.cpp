@@ -46,7 +46,14 @@ std::string correction_code(const Question& q, const std::string& word, const st
   if (degree == 0) {
     std::optional<Rational> aim;
     if (!height.empty()) aim = positive_quantity(height, Unit::length, "--height");
-    return jump_code(Flight(q.program(), q.step(), q.substeps(), q.values()), q.gravity(), *language, aim);
+    try {
+      return jump_code(Flight(q.program(), q.step(), q.substeps(), q.values()), q.gravity(), *language, aim);
+    } catch (const Undefined&) {
+      // Where damping makes what is missing depend on the launch, the kit of the damped motion is the answer.
+      if (!force.linear() || aim) throw;
+      return linear_kit_code(linear_kit(q.program(), asked, q.values(), q.substeps()),
+                             linear_derivation(q.program(), asked, q.values(), q.substeps()), *language);
+    }
   }
   if (!height.empty()) throw BadInput("--height goes with --lang and a constant force");
   const Derivation d = derivation(q.program(), degree, q.values(), q.substeps(), false);

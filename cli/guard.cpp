@@ -2,7 +2,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
+#include <cmath>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -20,24 +21,46 @@ struct GuardWords : LogWords, Question {
   std::string file;
 };
 
+/// Whether the damping number of a match is the one given, as far as the log tells.
+bool is_damping(const Match& m, const Rational& given) {
+  constexpr double kSpreads = 4;
+  if (m.exact) {
+    const double c = given.to_double();
+    return std::fabs(m.flight.c - c) <= 2 * std::numeric_limits<float>::epsilon() * c;
+  }
+  return std::fabs(m.fit.c.value - given.to_double()) <= kSpreads * m.fit.c.spread;
+}
+
 int guard(const GuardWords& o) {
   const Log log = read_log(o.file, o.log_options());
   const Program program = o.program();
   Question question = o;
   Values values = question.values();
   IdentifyOptions options = o.identify_options(log);
+  // A damping that was given is found like any other, and then compared: so a changed one is told with its
+  // number.
+  std::optional<Rational> damping;
+  if (const auto c = values.find("c"); c != values.end()) {
+    damping = c->second;
+    values.erase(c);
+  }
   options.only = {candidate(program, o.substep_count, values)};
   const Identification found = identify(log, options);
+  const bool damped_so = !damping || found.matches.empty() || is_damping(found.matches[0], *damping);
   const bool whole = found.breaks.empty() || std::ranges::none_of(found.breaks, [](const Break& b) {
                        return b.kind == Break::Kind::unexplained || b.kind == Break::Kind::contact ||
                               b.kind == Break::Kind::limit;
                      });
-  const bool holds = found.kind == Identification::Kind::map && whole;
+  const bool holds = found.kind == Identification::Kind::map && whole && damped_so;
   const std::string name = options.only[0].str();
   std::string reason;
   if (holds)
-    reason = fmt::format("{} reproduces rows {} to {} of {} {}", name, found.first, found.last - 1, log.file,
-                         found.matches[0].exact ? "to the last bit" : "within its rounding");
+    reason = fmt::format("{} reproduces rows {} to {} of {} {}: {}", name, found.first, found.last - 1,
+                         log.file, found.matches[0].exact ? "to the last bit" : "within its rounding",
+                         parameters_text(log, found.matches[0]));
+  else if (found.kind == Identification::Kind::map && !damped_so)
+    reason = fmt::format("{} reproduces {} with another damping number than c = {}: {}", name, log.file,
+                         damping->str(), parameters_text(log, found.matches[0]));
   else if (found.kind == Identification::Kind::map)
     reason = fmt::format("{} reproduces only rows {} to {} of {}: {}", name, found.first, found.last - 1,
                          log.file, found.breaks.back().text);

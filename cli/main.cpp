@@ -19,6 +19,9 @@ namespace {
 using namespace shortfall;
 using namespace shortfall::cli;
 
+/// Parses, runs the command, and prints help where that was asked for.
+int answer(CLI::App& app, int argc, const char* const* argv, int& code);
+
 int run(int argc, char** argv) {
   CLI::App app;
   int code = kDone;
@@ -55,6 +58,16 @@ int run(int argc, char** argv) {
     write_output(version_json());
     return kDone;
   }
+  if (!words.empty() && words[0] == "help") {  // as --help, which all commands have
+    std::vector<const char*> asked{argv[0]};
+    if (words.size() > 1) asked.push_back(argv[2]);
+    asked.push_back("--help");
+    return answer(app, static_cast<int>(asked.size()), asked.data(), code);
+  }
+  return answer(app, argc, argv, code);
+}
+
+int answer(CLI::App& app, int argc, const char* const* argv, int& code) {
   const std::string complaint = unknown_word(app, argc, argv);
   if (!complaint.empty()) {
     say("shortfall: " + complaint);

@@ -70,6 +70,18 @@ std::string difference(const Identification& found, const Match& m) {
   return fmt::format("{:.3g} {}", m.ulp, found.bits ? "ulp" : "of the last digit");
 }
 
+/// Whether the listed maps make the same motion with different damping numbers of their own.
+bool damping_numbers_differ(const Identification& found) {
+  const Match* first = nullptr;
+  for (const Match& m : found.matches) {
+    if (!m.candidate.own_damping || (m.c && m.c->is_zero())) continue;
+    if (first && std::fabs(m.fit.c.value - first->fit.c.value) > 1e-3 * std::fabs(first->fit.c.value))
+      return true;
+    if (!first) first = &m;
+  }
+  return false;
+}
+
 std::string versions_text(const Program& program) {
   const auto all = versions(program);
   return all.empty() ? "" : all.front().text;
@@ -142,6 +154,10 @@ std::string as_text(const Log& log, const Identification& found, std::size_t mos
   else
     text += fmt::format("Undecided: {} different maps make this log. To tell them apart {}.\n", found.groups,
                         found.advice.empty() ? "takes another experiment" : found.advice);
+  if (!found.identifiable && damping_numbers_differ(found))
+    text +=
+        "If you know the damping number that was typed, it tells some of them apart: each lists the number "
+        "that it takes.\n";
   if (!found.nearest.empty()) {
     text += "\nNearest of the others\n";
     for (const Match& m : found.nearest)

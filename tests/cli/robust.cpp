@@ -30,6 +30,12 @@ TEST_CASE("a pipe that is closed early is quiet") {
   CHECK_FALSE(o.out.empty());
 }
 
+TEST_CASE("help is a command as well") {
+  CHECK(run("help").out == run("--help").out);
+  CHECK(run("help jump").out == run("jump --help").out);
+  CHECK(run("help jmup").code == 2);
+}
+
 TEST_CASE("a full disk is exit code 5, whatever is written") {
   for (const std::string command :
        {"list", "jump --height 1", "derive rk4 --json", "export symplectic-euler --latex", "completion bash",

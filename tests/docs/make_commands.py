@@ -32,12 +32,12 @@ def printed(shortfall, *words):
 
 
 def groups(text):
-    """[(group, [command])] from the list of sub-commands: a group ends in a colon, its commands are indented by two."""
+    """[(group, [command])] from the overview: a group ends in a colon, its commands are indented by two."""
     found = []
-    for line in re.split("(?i)options:", text, maxsplit=1)[1].split("\n"):
+    for line in text.split("Usage:", 1)[1].split("\n"):
         if re.fullmatch(r"\S.*:", line):
             found.append((line[:-1], []))
-        elif found and re.match(r"  [a-z]", line):
+        elif found and re.match(r"  (?!shortfall )[a-z]", line):
             found[-1][1].append(line.split()[0])
     return [group for group in found if group[1]]
 
