@@ -120,7 +120,7 @@ class Reader {
       if (peek() != ':')
         throw error("expected : behind the key \"" + shortened(key.text) + "\", found " + found());
       ++byte_;
-      value.members.emplace_back(std::move(key), read(depth + 1));
+      value.members.push_back({std::move(key), read(depth + 1)});
       if (separated('}', open)) return value;
     }
   }

@@ -236,8 +236,9 @@ class TableauReader {
     for (const JsonValue& item : value.items) list(item, "a row of " + what);
     std::vector<std::size_t> lengths;
     for (const JsonValue& item : value.items) lengths.push_back(item.items.size());
-    const bool without_first =
-        rows + 1 == stages_ && std::ranges::equal(lengths, std::views::iota(std::size_t{1}, stages_));
+    bool growing = true;
+    for (std::size_t i = 0; i < lengths.size(); ++i) growing = growing && lengths[i] == i + 1;
+    const bool without_first = rows + 1 == stages_ && growing;
     if (rows != stages_ && !without_first)
       throw source_.error(value.place, what + " has " + counted(rows, "row", "rows") + ", but b has " +
                                            counted(stages_, "entry", "entries"));

@@ -16,5 +16,8 @@ if(SHORTFALL_PYTHON3 AND TARGET shortfall)
   add_test(NAME docs_reference
     COMMAND "${SHORTFALL_PYTHON3}" -B "${CMAKE_CURRENT_LIST_DIR}/make_commands.py" --check $<TARGET_FILE:shortfall>
       "${PROJECT_SOURCE_DIR}/docs/commands.md")
-  set_tests_properties(docs_commands docs_reference PROPERTIES LABELS docs)
+  add_test(NAME docs_architecture
+    COMMAND "${SHORTFALL_PYTHON3}" -B "${CMAKE_CURRENT_LIST_DIR}/make_architecture.py" --check "${PROJECT_SOURCE_DIR}"
+      "${PROJECT_SOURCE_DIR}/docs/images/architecture.svg")
+  set_tests_properties(docs_commands docs_reference docs_architecture PROPERTIES LABELS docs)
 endif()
