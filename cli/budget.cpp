@@ -6,10 +6,10 @@
 #include "analysis/floating/budget.hpp"
 #include "cli/float_question.hpp"
 #include "cli/output.hpp"
+#include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "notebooks-export/budget_text.hpp"
-#include "notebooks-export/figure_gnuplot.hpp"
 
 namespace shortfall::cli {
 
@@ -62,7 +62,7 @@ void check_options(const BudgetOptions& o) {
 
 int budget_command(const BudgetOptions& o) {
   const std::vector<FloatFormat> formats = float_formats(o.formats);
-  if (!o.plot.empty()) image_format(o.plot);  // a wrong ending is seen before any work
+  check_picture_name(o.plot);
   check_options(o);
   const int periods = period_count(o);
   const FloatQuestion q = float_question(o);
@@ -90,12 +90,7 @@ int budget_command(const BudgetOptions& o) {
   about += ", dt = " + (q.h.digits() < 12 ? q.h.str() : q.h.significant(17)) + " s";
   if (q.kept_h) about += ", stored as " + o.dt;
   if (!o.plot.empty()) {
-    try {
-      write_output(image(budget_figure(budgets, about), image_format(o.plot)), o.plot);
-    } catch (const ProgramError& e) {
-      throw OutputError(e.what());
-    }
-    say("wrote " + o.plot);
+    write_picture(budget_figure(budgets, about), o.plot);
   }
   write_output(o.json ? as_json(budgets).dump(2) + "\n" : as_text(budgets, about), o.output);
   const bool all = std::ranges::all_of(budgets, [](const Budget& b) { return b.reason.empty(); });

@@ -6,9 +6,11 @@
 #include "analysis/floating/clock.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "notebooks-export/clock_text.hpp"
+#include "notebooks-export/figure_clock.hpp"
 
 namespace shortfall::cli {
 
@@ -17,7 +19,7 @@ namespace {
 constexpr int kMostStepped = 100'000'000;  // additions of Kahan's sum that --kahan carries out: some seconds
 
 struct ClockOptions : Question {
-  std::string steps, until, format, rounding, x0, velocity;
+  std::string steps, until, format, rounding, x0, velocity, plot;
   bool kahan = false;
 };
 
@@ -44,6 +46,7 @@ ClockArithmetic arithmetic(const ClockOptions& o) {
 }
 
 int clock_command(const ClockOptions& o) {
+  check_picture_name(o.plot);
   ClockQuestion q;
   static_cast<ClockArithmetic&>(q) = arithmetic(o);
   const StoredQuantity dt = stored_quantity(o.dt, Unit::time, "--dt");
@@ -58,6 +61,10 @@ int clock_command(const ClockOptions& o) {
     ProgressLine line;
     return clock_report(q, line.progress());
   }();
+  if (!o.plot.empty()) {
+    if (q.compensated) throw BadInput("--plot draws plain sums; leave --kahan out");
+    write_picture(clock_figure(report), o.plot);
+  }
   std::string text = o.json ? as_json(report).dump(2) + "\n" : o.csv ? as_csv(report) : as_text(report);
   if (o.ascii)
     for (std::size_t at = text.find("≈"); at != std::string::npos; at = text.find("≈", at))
@@ -69,12 +76,13 @@ int clock_command(const ClockOptions& o) {
 }  // namespace
 
 void add_clock(CLI::App& app, int& code) {
-  CLI::App* command = new_command(
-      app, "Floats", "clock",
-      "What t += dt (or x += v dt) really is after any number of additions: fast, slow, stopped.",
-      {"clock --dt 1/60f --until 24h", "clock --dt 0.1f --steps 1e18",
-       "clock --dt 0.1 --until 100h --format fixed:23 --rounding toward-zero",
-       "clock --dt 0.02 --velocity 3 --x0 10km --until 1h", "clock --dt 1/60f --until 24h --csv"});
+  CLI::App* command =
+      new_command(app, "Floats", "clock",
+                  "What t += dt (or x += v dt) really is after any number of additions: fast, slow, stopped.",
+                  {"clock --dt 1/60f --until 24h", "clock --dt 0.1f --steps 1e18",
+                   "clock --dt 0.1 --until 100h --format fixed:23 --rounding toward-zero",
+                   "clock --dt 0.02 --velocity 3 --x0 10km --until 1h", "clock --dt 1/60f --until 24h --csv",
+                   "clock --dt 1/60f --until 24h --plot clock.svg"});
   auto o = std::make_shared<ClockOptions>();
   o->dt = "";
   command->add_option("--dt", o->dt, "what is added: 0.02, 1/50, 20ms, 50Hz; 1/60f is stored in binary32")
@@ -95,6 +103,9 @@ void add_clock(CLI::App& app, int& code) {
   command->add_option("--x0", o->x0, "where it starts (0)")->type_name("X");
   command->add_option("--velocity", o->velocity, "m/s: then it is a position, x += v dt")->type_name("V");
   command->add_flag("--kahan", o->kahan, "the compensated sum instead");
+  command
+      ->add_option("--plot", o->plot, "what it loses and how fast it goes, as a picture: .svg, .png or .pdf")
+      ->type_name("FILE");
   command->add_flag("--csv", o->csv, "the speeds as a table, a line for each spacing of the numbers");
   command->add_flag("--ascii", o->ascii, "plain ASCII");
   add_json(*command, *o);

@@ -13,8 +13,8 @@
 #include "cli/correct.hpp"
 #include "cli/log_options.hpp"
 #include "cli/output.hpp"
+#include "cli/picture.hpp"
 #include "cli/quantity.hpp"
-#include "notebooks-export/figure_gnuplot.hpp"
 #include "notebooks-export/figure_residuals.hpp"
 #include "notebooks-export/identify_text.hpp"
 
@@ -127,19 +127,10 @@ std::string repair_text(const Identification& found) {
   return text;
 }
 
-void draw(const Log& log, const Identification& found, const std::string& file) {
-  try {
-    write_output(image(residual_figure(log, found), image_format(file)), file);
-  } catch (const ProgramError& e) {
-    throw OutputError(e.what());
-  }
-  say("wrote " + file);
-}
-
 int identify_log(const IdentifyWords& o) {
   if (!o.by_dt.empty()) return identify_by_dt(o);
   if (o.file.empty()) throw BadInput("which log? shortfall identify log.csv");
-  if (!o.plot.empty()) image_format(o.plot);  // before the work
+  check_picture_name(o.plot);
   const Log log = read_log(o.file, o.log_options());
   IdentifyOptions options = o.identify_options(log);
   // Candidates point to their programs.
@@ -149,7 +140,7 @@ int identify_log(const IdentifyWords& o) {
   for (const Program& program : own)
     for (const Candidate& c : candidates_of(program)) options.only.push_back(c);
   const Identification found = identify(log, options);
-  if (!o.plot.empty()) draw(log, found, o.plot);
+  if (!o.plot.empty()) write_picture(residual_figure(log, found), o.plot);
   if (!o.language.empty()) {
     if (found.kind != Identification::Kind::map || !found.identifiable)
       throw Unable(

@@ -13,9 +13,9 @@
 #include "cli/jump_frames.hpp"
 #include "cli/jump_render.hpp"
 #include "cli/output.hpp"
+#include "cli/picture.hpp"
 #include "cli/quantity.hpp"
 #include "notebooks-export/code.hpp"
-#include "notebooks-export/figure_gnuplot.hpp"
 #include "notebooks-export/figure_jump.hpp"
 
 namespace shortfall::cli {
@@ -123,19 +123,14 @@ void jump_of_engines(JumpOptions o, const std::vector<Rational>& heights) {
 
 /// The jump at the usual frame rates, and at the one asked for.
 void draw(const JumpOptions& o, const Rational& height) {
-  const ImageFormat format = image_format(o.plot);
+  check_picture_name(o.plot);
   if (o.by() != LaunchBy::velocity) throw BadInput("--plot draws jumps that are launched by their velocity");
   std::vector<Rational> steps{Rational(1, 30), Rational(1, 60), Rational(1, 120)};
   if (std::ranges::find(steps, o.step()) == steps.end()) steps.push_back(o.step());
   std::ranges::sort(steps, std::greater<>());
   std::vector<Flight> flights;
   for (const Rational& dt : steps) flights.emplace_back(o.program(), dt, o.substeps(), o.values());
-  try {
-    write_output(image(jump_figure(flights, height, o.gravity()), format), o.plot);
-  } catch (const ProgramError& e) {
-    throw OutputError(e.what());
-  }
-  say("wrote " + o.plot);
+  write_picture(jump_figure(flights, height, o.gravity()), o.plot);
 }
 
 void jump(const JumpOptions& o) {

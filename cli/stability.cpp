@@ -4,8 +4,8 @@
 #include "analysis/stability/stability.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "cli/picture.hpp"
 #include "cli/quantity.hpp"
-#include "notebooks-export/figure_gnuplot.hpp"
 #include "notebooks-export/figure_stability.hpp"
 #include "notebooks-export/stability_json.hpp"
 #include "notebooks-export/stability_text.hpp"
@@ -19,14 +19,6 @@ struct StabilityOptions : Question {
   std::string plot;
 };
 
-void draw(const Stability& s, const std::string& path) {
-  try {
-    write_output(image(stability_figure(s), image_format(path)), path);
-  } catch (const ProgramError& e) {
-    throw OutputError(e.what());
-  }
-}
-
 /// Of --dt, which here has no default: most steps are judged for every frame at once.
 std::optional<Rational> frame(const StabilityOptions& o) {
   if (o.frame.empty()) return std::nullopt;
@@ -34,12 +26,9 @@ std::optional<Rational> frame(const StabilityOptions& o) {
 }
 
 void stability(const StabilityOptions& o) {
-  if (!o.plot.empty()) image_format(o.plot);  // a wrong ending is seen before any work
+  check_picture_name(o.plot);
   const Stability s = shortfall::stability(o.program(), o.values(), o.substeps(), frame(o));
-  if (!o.plot.empty()) {
-    draw(s, o.plot);
-    say("wrote " + o.plot);
-  }
+  if (!o.plot.empty()) write_picture(stability_figure(s), o.plot);
   if (o.json)
     write_output(as_json(s).dump(2) + "\n", o.output);
   else

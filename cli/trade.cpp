@@ -8,10 +8,10 @@
 #include "analysis/trade/mpi/machines.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
+#include "cli/picture.hpp"
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "cli/scene.hpp"
-#include "notebooks-export/figure_gnuplot.hpp"
 #include "notebooks-export/trade_text.hpp"
 
 namespace shortfall::cli {
@@ -25,7 +25,7 @@ struct TradeOptions {
 };
 
 int trade_on(const Machines& machines, const TradeOptions& o) {
-  if (!o.plot.empty()) image_format(o.plot);  // a wrong ending is seen before any work
+  check_picture_name(o.plot);
   if (o.json && o.csv) throw BadInput("--json and --csv: give one of them");
   Scene scene = scene_from(o.scene, o.until);
   TradeQuestion question;
@@ -54,12 +54,7 @@ int trade_on(const Machines& machines, const TradeOptions& o) {
   }
   if (!machines.speaks()) return kDone;
   if (!o.plot.empty()) {
-    try {
-      write_output(image(trade_figure(result), image_format(o.plot)), o.plot);
-    } catch (const ProgramError& e) {
-      throw OutputError(e.what());
-    }
-    say("wrote " + o.plot);
+    write_picture(trade_figure(result), o.plot);
   }
   if (!o.html.empty()) {
     write_output(trade_page(result, "shortfall trade " + o.scene + " --html " + o.html), o.html);

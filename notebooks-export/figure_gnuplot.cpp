@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "analysis/algebra/error.hpp"
+#include "notebooks-export/figure_palette.hpp"
 
 namespace shortfall {
 
@@ -32,37 +33,8 @@ int plot_width(const Figure::Panel& p) {
   return std::clamp(static_cast<int>(std::lround(width)), kNarrowest, kWidest);
 }
 
-struct Colour {
-  int red, green, blue;
-};
-
-Colour colour(Ink ink) {
-  switch (ink) {
-    case Ink::black:
-      return {0x22, 0x22, 0x22};
-    case Ink::grey:
-      return {0x8a, 0x8a, 0x8a};
-    case Ink::dark:
-      return {0x5a, 0x5a, 0x5a};
-    case Ink::blue:
-      return {0x00, 0x72, 0xb2};
-    case Ink::sky:
-      return {0x56, 0xb4, 0xe9};
-    case Ink::green:
-      return {0x00, 0x9e, 0x73};
-    case Ink::orange:
-      return {0xe6, 0x9f, 0x00};
-    case Ink::vermillion:
-      return {0xd5, 0x5e, 0x00};
-    case Ink::purple:
-      return {0xcc, 0x79, 0xa7};
-  }
-  return {0, 0, 0};
-}
-
 /// The colour mixed with white, as gnuplot reads it.
-std::string rgb(Ink ink, double strength = 1) {
-  const Colour c = colour(ink);
+std::string rgb(const Colour& c, double strength = 1) {
   const auto mixed = [&](int part) {
     return static_cast<unsigned>(std::lround(255 - strength * (255 - part)));
   };
@@ -98,7 +70,7 @@ class PanelWriter {
     for (const Figure::Region& r : panel.regions) add_region(r);
     for (const Figure::Curve& c : panel.curves) add_curve(c);
     for (const Figure::Mark& m : panel.marks)
-      plots_.push_back(block({{m.at}}) + " using 1:2 with points pt 7 ps 1.1 lc rgb " + rgb(m.ink) +
+      plots_.push_back(block({{m.at}}) + " using 1:2 with points pt 7 ps 1.1 lc rgb " + rgb(colour(m.ink)) +
                        " notitle");
   }
 
@@ -133,26 +105,35 @@ class PanelWriter {
     for (const Figure::Path& path : r.outlines)
       plots_.push_back(block({path}) +
                        " using 1:2 with filledcurves closed fillstyle solid noborder fillcolor rgb " +
-                       rgb(r.ink, r.strength) + " notitle");
+                       rgb(colour(r.ink), r.strength) + " notitle");
   }
 
   void add_curve(const Figure::Curve& c) {
     if (c.paths.empty()) return;
     plots_.push_back(block(c.paths) + " using 1:2 with lines lw " + number_text(c.width) +
-                     (c.dashed ? " dt (6,5)" : " dt solid") + " lc rgb " + rgb(c.ink) + " notitle");
+                     (c.dashed ? " dt (6,5)" : " dt solid") + " lc rgb " + rgb(colour(c.ink)) + " notitle");
   }
 
   /// A line of text above the panel, so many pixels up.
   static std::string heading(const std::string& text, int up, const std::string& font, Ink ink) {
     return "set label " + quoted(text) + " at graph 0,graph " +
            number_text(1 + up / static_cast<double>(kPlotHeight)) + " left" + font + " textcolor rgb " +
-           rgb(ink) + " front\n";
+           rgb(text_colour(ink)) + " front\n";
   }
 
   static std::string axis(const std::string& which, const Figure::Axis& a) {
-    return "set " + which + "label " + quoted(axis_label(a)) + " textcolor rgb " + rgb(Ink::black) + "\n" +
-           (a.logarithmic ? "set" : "unset") + " logscale " + which + "\n" + "set " + which + "range [" +
-           number_text(a.low) + ":" + number_text(a.high) + "]\n";
+    return "set " + which + "label " + quoted(axis_label(a)) + " textcolor rgb " +
+           rgb(text_colour(Ink::black)) + "\n" + (a.logarithmic ? "set" : "unset") + " logscale " + which +
+           "\n" + "set " + which + "range [" + number_text(a.low) + ":" + number_text(a.high) + "]\n" +
+           tics(which, a);
+  }
+
+  /// On a logarithmic axis powers of ten, as many as have room for their numbers.
+  static std::string tics(const std::string& which, const Figure::Axis& a) {
+    if (!a.logarithmic || which != "x") return "set format " + which + "\nset " + which + "tics autofreq\n";
+    constexpr double kMostTics = 7;
+    const double each = std::max(1.0, std::ceil(std::log10(a.high / a.low) / kMostTics));
+    return "set format x '%g'\nset xtics " + number_text(std::pow(10, each)) + "\n";
   }
 
   static std::string label(const Figure::Label& l) {
@@ -160,7 +141,8 @@ class PanelWriter {
                         : l.align == Figure::Align::right ? "right"
                                                           : "center";
     return "set label " + quoted(l.text) + " at " + number_text(l.at.x) + "," + number_text(l.at.y) + " " +
-           align + " offset 0," + number_text(l.up) + " textcolor rgb " + rgb(l.ink) + " front\n";
+           align + " offset 0," + number_text(l.up) + " textcolor rgb " + rgb(text_colour(l.ink)) +
+           " front\n";
   }
 
   const Figure::Panel& panel_;
@@ -220,8 +202,8 @@ std::string gnuplot_script(const Figure& figure, ImageFormat format) {
                writer.commands(i == 0 ? figure.title : "");
     left += plot_width(figure.panels[i]) + kRight;
   }
-  script += "set border 3 lw 1 lc rgb " + rgb(Ink::grey) +
-            "\nset tics nomirror out scale 0.6 textcolor rgb " + rgb(Ink::black) +
+  script += "set border 3 lw 1 lc rgb " + rgb(colour(Ink::grey)) +
+            "\nset tics nomirror out scale 0.6 textcolor rgb " + rgb(text_colour(Ink::black)) +
             "\nset key off\nset clip one\nset clip two\n" + upright;
   return script + "set multiplot\n" + drawing + "unset multiplot\n";
 }
