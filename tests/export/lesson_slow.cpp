@@ -2,82 +2,26 @@
 #include "notebooks-export/lesson.hpp"
 
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "analysis/algebra/error.hpp"
 #include "notebooks-export/lesson_value.hpp"
+#include "tests/export/python_run.hpp"
 
 namespace shortfall {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A folder that goes away with the test.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "shortfall-lessons-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return quoted(name);
-  }
-  std::string quoted(const std::string& name) const { return "'" + (path_ / name).string() + "'"; }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-struct Outcome {
-  int code = -1;
-  std::string output;
-};
-
-Outcome run(const std::string& command) {
-  Outcome outcome;
-  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::array<char, 4096> block;
-  for (std::size_t size; (size = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
-    outcome.output.append(block.data(), size);
-  const int status = pclose(pipe);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-  return outcome;
-}
-
-/// The system's Python, which has Debian's matplotlib and Jupyter where they are installed; "" for none.
-std::string python() {
-  std::vector<std::string> candidates{"/usr/bin/python3", "python3"};
-  if (const char* venv = std::getenv("VIRTUAL_ENV"))
-    candidates.insert(candidates.begin(), std::string(venv) + "/bin/python3");
-  for (const std::string& candidate : candidates)
-    if (run("'" + candidate + "' -c 'import fractions'").code == 0) return candidate;
-  return "";
-}
-
 Outcome script(const std::string& python, const std::string& name, const std::string& arguments) {
   return run("'" + python + "' '" SHORTFALL_SOURCE_DIR "/tests/export/" + name + "' " + arguments);
+}
+
+/// Writes a file; its name as a shell takes it.
+std::string written(const Scratch& folder, const std::string& name, const std::string& text) {
+  folder.write(name, text);
+  return folder.quoted(name);
 }
 
 std::string shortfall(const std::string& arguments) { return "'" SHORTFALL_BINARY "' " + arguments; }
@@ -115,10 +59,10 @@ TEST_CASE("every lesson runs, and its assertions hold, in Jupyter as well") {
     MESSAGE("python3 is not installed: lessons are written, but not run");
     return;
   }
-  const Folder folder;
+  const Scratch folder;
   std::string files;
   for (const Lesson& lesson : lessons())
-    files += " " + folder.write(lesson.name + ".ipynb", notebook(lesson, LessonFor::teacher));
+    files += " " + written(folder, lesson.name + ".ipynb", notebook(lesson, LessonFor::teacher));
   const Outcome plain = script(interpreter, "run_notebook.py", files);
   INFO(plain.output);
   CHECK(plain.code == 0);
@@ -136,10 +80,10 @@ TEST_CASE("the pupil's copy holds no answer, and its checks fail until there is 
     MESSAGE("python3 is not installed: not run");
     return;
   }
-  const Folder folder;
+  const Scratch folder;
   for (const Lesson& lesson : lessons()) {
-    const std::string teacher = folder.write("teacher.ipynb", notebook(lesson, LessonFor::teacher));
-    const std::string pupil = folder.write("pupil.ipynb", notebook(lesson, LessonFor::pupil));
+    const std::string teacher = written(folder, "teacher.ipynb", notebook(lesson, LessonFor::teacher));
+    const std::string pupil = written(folder, "pupil.ipynb", notebook(lesson, LessonFor::pupil));
     const Outcome outcome = script(interpreter, "lesson_exercises.py", teacher + " " + pupil);
     INFO(lesson.name, "\n", outcome.output);
     CHECK(outcome.code == 0);
@@ -152,10 +96,10 @@ TEST_CASE("a lesson runs without matplotlib, too") {
     MESSAGE("python3 is not installed: not run");
     return;
   }
-  const Folder folder;
+  const Scratch folder;
   folder.write("matplotlib.py", "raise ImportError('hidden by a test')\n");
   const std::string file =
-      folder.write("falling-short.ipynb", notebook(find_lesson("falling-short"), LessonFor::teacher));
+      written(folder, "falling-short.ipynb", notebook(find_lesson("falling-short"), LessonFor::teacher));
   const Outcome outcome = run("PYTHONPATH='" + folder.path().string() + "' '" + interpreter +
                               "' '" SHORTFALL_SOURCE_DIR "/tests/export/run_notebook.py' " + file);
   INFO(outcome.output);
@@ -176,7 +120,7 @@ TEST_CASE("a lesson fails when one of its numbers or formulas is wrong") {
       {"floats", "24986955", "24986956"},
       {"modified-equation", "series(0, 0, Fraction(-1, 2))", "series(0, 0, Fraction(1, 2))"},
       {"nine-engines", "\\\"Bullet\\\": 14.25", "\\\"Bullet\\\": 14.26"}};
-  const Folder folder;
+  const Scratch folder;
   std::string files;
   for (std::size_t i = 0; i < mistakes.size(); ++i) {
     const auto& [name, from, to] = mistakes[i];
@@ -184,7 +128,7 @@ TEST_CASE("a lesson fails when one of its numbers or formulas is wrong") {
     const std::size_t at = text.rfind(from);
     INFO(name, ": ", from);
     REQUIRE(at != std::string::npos);
-    files += " " + folder.write(std::to_string(i) + ".ipynb", text.replace(at, from.size(), to));
+    files += " " + written(folder, std::to_string(i) + ".ipynb", text.replace(at, from.size(), to));
   }
   const Outcome outcome = script(interpreter, "run_notebook.py", files);
   INFO(outcome.output);
@@ -270,7 +214,7 @@ TEST_CASE("a mistake in a lesson file is named with its line") {
 }
 
 TEST_CASE("shortfall export writes a lesson into a folder, and no answer over an older one") {
-  const Folder folder;
+  const Scratch folder;
   const std::string out = folder.quoted("new/lesson");
   CHECK(run(shortfall("export lesson:falling-short --exercise -o " + out)).code == 0);
   const fs::path file = folder.path() / "new/lesson/falling-short.ipynb";

@@ -2,80 +2,18 @@
 #include "notebooks-export/notebook.hpp"
 
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
-#include <array>
-#include <cstdio>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/motion/step_map.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/parse.hpp"
+#include "tests/export/python_run.hpp"
 
 namespace shortfall {
 namespace {
-
-namespace fs = std::filesystem;
-
-/// A folder that goes away with the test.
-class Folder {
- public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "shortfall-notebooks-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return path_ / name;
-  }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
-
-struct Outcome {
-  int code = -1;
-  std::string output;
-};
-
-Outcome run(const std::string& command) {
-  Outcome outcome;
-  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::array<char, 4096> block;
-  for (std::size_t size; (size = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
-    outcome.output.append(block.data(), size);
-  const int status = pclose(pipe);
-  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
-  return outcome;
-}
-
-/// A virtual environment's Python, otherwise the system's, whatever a version manager puts first; "" when
-/// there is none.
-std::string python() {
-  std::vector<std::string> candidates{"/usr/bin/python3", "python3"};
-  if (const char* venv = std::getenv("VIRTUAL_ENV"))
-    candidates.insert(candidates.begin(), std::string(venv) + "/bin/python3");
-  for (const std::string& candidate : candidates)
-    if (run("'" + candidate + "' -c 'import fractions'").code == 0) return candidate;
-  return "";
-}
 
 /// Runs notebooks as tests/export/run_notebook.py says.
 Outcome run_notebooks(const std::string& python, const std::string& files) {
@@ -132,7 +70,7 @@ TEST_CASE("every notebook's cells run and their assertions hold") {
   if (interpreter.empty()) {
     MESSAGE("python3 is not installed: notebooks are written, but not run");
   }
-  const Folder folder;
+  const Scratch folder;
   const auto add = [&](const std::string& name, const std::string& text) {
     folder.write(name + ".ipynb", text);
   };
@@ -180,7 +118,7 @@ TEST_CASE("a notebook fails when one coefficient of its formulas is wrong") {
       {"v = v0 - Fraction(1, 2) * a * h", "v = v0 + Fraction(1, 2) * a * h"},        // a correction
       {"assert impossible([\\\"force\\\"])", "assert impossible([\\\"launch v\\\", \\\"read v\\\"])"},
       {"\\\"2.762010199\\\"", "\\\"2.762010198\\\""}};  // the jump
-  const Folder folder;
+  const Scratch folder;
   CHECK(run_notebooks(interpreter, "'" + folder.write("right.ipynb", right).string() + "'").code == 0);
   int number = 0;
   std::string files;
@@ -201,7 +139,7 @@ TEST_CASE("a notebook is also one for Jupyter") {
     MESSAGE("python3 is not installed: not run");
     return;
   }
-  const Folder folder;
+  const Scratch folder;
   const fs::path file = folder.write("falling-short.ipynb", exported("symplectic-euler", 0));
   const Outcome outcome = run_notebooks(interpreter, "--jupyter '" + file.string() + "'");
   INFO(outcome.output);
@@ -232,7 +170,7 @@ TEST_CASE("a notebook of a degree that nobody reads is refused") {
 }
 
 TEST_CASE("shortfall export writes the notebook, and replaces an older one") {
-  const Folder folder;
+  const Scratch folder;
   const std::string file = (folder.path() / "falling-short.ipynb").string();
   folder.write("falling-short.ipynb", "an older one");
   const std::string command = "'" SHORTFALL_BINARY "' export symplectic-euler --force constant";

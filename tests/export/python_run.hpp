@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A scratch folder, and Python to run what was exported into it.
+#pragma once
+
+#include <doctest/doctest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace shortfall {
+
+namespace fs = std::filesystem;
+
+/// A folder that goes away with the test.
+class Scratch {
+ public:
+  Scratch() {
+    std::string name = (fs::temp_directory_path() / "shortfall-export-XXXXXX").string();
+    REQUIRE(mkdtemp(name.data()) != nullptr);
+    path_ = name;
+  }
+  ~Scratch() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+
+  fs::path write(const std::string& name, const std::string& text) const {
+    std::ofstream(path_ / name, std::ios::binary) << text;
+    return path_ / name;
+  }
+  std::string quoted(const std::string& name) const { return "'" + (path_ / name).string() + "'"; }
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+struct Outcome {
+  int code = -1;
+  std::string output;
+};
+
+inline Outcome run(const std::string& command) {
+  Outcome outcome;
+  std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  REQUIRE(pipe != nullptr);
+  std::array<char, 4096> block;
+  for (std::size_t size; (size = std::fread(block.data(), 1, block.size(), pipe)) > 0;)
+    outcome.output.append(block.data(), size);
+  const int status = pclose(pipe);
+  outcome.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+  return outcome;
+}
+
+/// A virtual environment's Python, otherwise the system's, which has Debian's matplotlib and Jupyter where
+/// they are installed, whatever a version manager puts first; "" when there is none.
+inline std::string python() {
+  std::vector<std::string> candidates{"/usr/bin/python3", "python3"};
+  if (const char* venv = std::getenv("VIRTUAL_ENV"))
+    candidates.insert(candidates.begin(), std::string(venv) + "/bin/python3");
+  for (const std::string& candidate : candidates)
+    if (run("'" + candidate + "' -c 'import fractions'").code == 0) return candidate;
+  return "";
+}
+
+}  // namespace shortfall
