@@ -4,8 +4,9 @@
 find_program(DPKG_DEB dpkg-deb)
 find_program(DPKG_SHLIBDEPS dpkg-shlibdeps)
 find_program(PKG_CONFIG pkg-config)
-mark_as_advanced(DPKG_DEB DPKG_SHLIBDEPS PKG_CONFIG)
-if(DPKG_DEB AND DPKG_SHLIBDEPS AND PKG_CONFIG AND NOT SHORTFALL_SANITIZE)
+find_program(FILE_PROGRAM file)  # cpack asks it for shared libraries
+mark_as_advanced(DPKG_DEB DPKG_SHLIBDEPS PKG_CONFIG FILE_PROGRAM)
+if(FILE_PROGRAM AND DPKG_DEB AND DPKG_SHLIBDEPS AND PKG_CONFIG AND NOT SHORTFALL_SANITIZE)
   add_test(NAME package COMMAND sh "${PROJECT_SOURCE_DIR}/tests/package/run.sh" "${PROJECT_BINARY_DIR}"
            "${PROJECT_SOURCE_DIR}" "${CMAKE_CXX_COMPILER}")
   set_tests_properties(package PROPERTIES LABELS package)
