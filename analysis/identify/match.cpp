@@ -82,9 +82,8 @@ class Matching {
 
   /// The numbers that a program would have been given.
   ///
-  /// param   wider  how many times farther from a fitted number than its spread one is looked for: roundings
-  /// add
-  ///                up along a log, which the spread does not know
+  /// param   wider  how many times farther than its spread a number is looked for: roundings add up along a
+  ///                log, which the spread does not know
   void set_flight(double wider) {
     Flight& f = match_.flight;
     const Fit& fit = match_.fit;
@@ -126,6 +125,8 @@ class Matching {
   /// Along an oscillation roundings add up to far more than round numbers are off: those of a program may
   /// come nearer than the best that a fit finds.
   void try_round_numbers() {
+    std::optional<Flight> best;
+    double best_wider = 1;
     for (const double wider : {1.0, 8.0, 64.0}) {
       set_flight(wider);
       const Flight told = match_.flight;
@@ -133,12 +134,12 @@ class Matching {
         const double ulp = compare(candidate_, o_, flight).ulp;
         if (!(ulp < match_.ulp)) continue;
         match_.ulp = ulp;
-        best_ = flight;
-        best_wider_ = wider;
+        best = flight;
+        best_wider = wider;
       }
     }
-    set_flight(best_wider_);
-    if (best_) match_.flight = *best_;
+    set_flight(best_wider);
+    if (best) match_.flight = *best;
   }
 
   static bool same_numbers(const Flight& a, const Flight& b) {
@@ -300,8 +301,6 @@ class Matching {
   const Observations& o_;
   const Known& known_;
   Match& match_;
-  std::optional<Flight> best_;
-  double best_wider_ = 1;
 };
 
 }  // namespace
