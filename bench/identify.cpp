@@ -15,7 +15,7 @@ namespace {
 std::string log_text(const char* engine, double damping) {
   const Program program = find_integrator(engine);
   const Candidate c = candidate(program, std::nullopt);
-  Flight flight;
+  EngineFlight flight;
   flight.v0 = {1, 20, 0.5};
   flight.gravity = {0, -9.81, 0};
   flight.c = damping;

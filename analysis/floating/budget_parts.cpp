@@ -199,10 +199,10 @@ void put_remedies(Budget& b, const RemedyParts& parts) {
   }
 }
 
-JumpQuestion jump_question(const FloatQuestion& question, const Rational& height, const Rational& g) {
+JumpBudgetQuestion jump_question(const FloatQuestion& question, const Rational& height, const Rational& g) {
   if (height.sign() <= 0 || g.sign() <= 0)
     throw BadInput("a jump needs a positive height and a positive gravity");
-  JumpQuestion jump{question, Surd::sqrt(Rational(2) * g * height)};
+  JumpBudgetQuestion jump{question, Surd::sqrt(Rational(2) * g * height)};
   FloatQuestion& q = jump.question;
   q.force = force_named("constant");
   q.force.push[0] = -g;

@@ -56,11 +56,11 @@ std::unique_ptr<FloatRun> second_run(const FloatFormat& format, const FloatQuest
 void check_steps(std::int64_t steps);
 
 /// A jump from the ground under g, such that the exact parabola reaches the height.
-struct JumpQuestion {
+struct JumpBudgetQuestion {
   FloatQuestion question;  ///< with v0 to 400 digits where it is irrational
   Surd launch;             ///< sqrt(2 g H)
 };
 /// throws  BadInput  unless height and g are positive
-JumpQuestion jump_question(const FloatQuestion& question, const Rational& height, const Rational& g);
+JumpBudgetQuestion jump_question(const FloatQuestion& question, const Rational& height, const Rational& g);
 
 }  // namespace shortfall

@@ -82,7 +82,7 @@ std::int64_t flight_frames(const FloatQuestion& q, const Rational& g, int flight
 
 Budget peak_budget(const FloatFormat& format, const FloatQuestion& question, const Rational& height,
                    const Rational& g, const Progress& progress) {
-  const JumpQuestion jump = jump_question(question, height, g);
+  const JumpBudgetQuestion jump = jump_question(question, height, g);
   const FloatQuestion& q = jump.question;
   Budget b{format, q, stored(q, format)};
   const std::int64_t last = flight_frames(q, g, 1);  // back on the ground
@@ -165,7 +165,7 @@ RunPassings run_landing(FloatRun& run, std::int64_t most, const Rational& h, con
 
 Budget landing_budget(const FloatFormat& format, const FloatQuestion& question, const Rational& height,
                       const Rational& g, const Progress& progress) {
-  const JumpQuestion jump = jump_question(question, height, g);
+  const JumpBudgetQuestion jump = jump_question(question, height, g);
   const FloatQuestion& q = jump.question;
   Budget b{format, q, stored(q, format)};
   constexpr int kFlights = 3;  // a method's may be longer than the true one

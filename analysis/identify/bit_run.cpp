@@ -20,7 +20,7 @@ struct EngineBody {
   using Scalar = S;
   using Vector = Components<S, C>;
 
-  const Flight& flight;
+  const EngineFlight& flight;
   int own_c;
 
   Scalar number(const Rational& value) const {
@@ -70,7 +70,7 @@ Log::Triple doubles(const Vector& v) {
 
 template <class S, class C, class See>
 void fly_in(const Candidate& candidate, const std::vector<std::size_t>& frames, double dt,
-            const Flight& flight, See&& see) {
+            const EngineFlight& flight, See&& see) {
   EngineBody<S, C> body{flight, -1};
   if (candidate.own_damping)
     for (std::size_t i = 0; i < candidate.tape->parameters.size(); ++i)
@@ -91,7 +91,7 @@ void fly_in(const Candidate& candidate, const std::vector<std::size_t>& frames, 
 
 template <class See>
 void fly_so(const Candidate& candidate, const std::vector<std::size_t>& frames, double dt,
-            const Flight& flight, See&& see) {
+            const EngineFlight& flight, See&& see) {
   switch (flight.arithmetic) {
     case Arithmetic::binary32:
       return fly_in<float, float>(candidate, frames, dt, flight, see);
@@ -104,12 +104,13 @@ void fly_so(const Candidate& candidate, const std::vector<std::size_t>& frames, 
 
 }  // namespace
 
-void fly(const Candidate& candidate, const std::vector<std::size_t>& frames, double dt, const Flight& flight,
+void fly(const Candidate& candidate, const std::vector<std::size_t>& frames, double dt,
+         const EngineFlight& flight,
          const std::function<bool(std::size_t, const Log::Triple&, const Log::Triple&)>& see) {
   fly_so(candidate, frames, dt, flight, see);
 }
 
-Comparison compare(const Candidate& candidate, const Observations& o, const Flight& flight, int only,
+Comparison compare(const Candidate& candidate, const Observations& o, const EngineFlight& flight, int only,
                    bool whole) {
   Comparison result;
   const double x_unit = 2 * o.half_position(o.largest_position());

@@ -19,7 +19,7 @@ enum class Arithmetic {
 };
 
 /// One body in space and everything that is known about it.
-struct Flight {
+struct EngineFlight {
   using Triple = Log::Triple;
 
   Triple x0{}, v0{};
@@ -45,11 +45,12 @@ struct Comparison {
 /// param   only   compares one axis; -1 for all
 /// param   whole  false: stops at the first row that differs
 /// throws  Unable  for an integrator with implicit stages
-Comparison compare(const Candidate& candidate, const Observations& observations, const Flight& flight,
+Comparison compare(const Candidate& candidate, const Observations& observations, const EngineFlight& flight,
                    int only = -1, bool whole = true);
 
 /// The rows of a flight, positions and velocities; those of the observations' frames.
-void fly(const Candidate& candidate, const std::vector<std::size_t>& frames, double dt, const Flight& flight,
+void fly(const Candidate& candidate, const std::vector<std::size_t>& frames, double dt,
+         const EngineFlight& flight,
          const std::function<bool(std::size_t row, const Log::Triple& x, const Log::Triple& v)>& see);
 
 }  // namespace shortfall

@@ -67,7 +67,7 @@ class Fitting {
     residual.clear();
     if (!respond(p)) return false;
     for (const int axis : o_.axes) {
-      const LinearSolution s = least_squares(rows(static_cast<std::size_t>(axis)));
+      const LeastSquares s = least_squares(rows(static_cast<std::size_t>(axis)));
       linear_.push_back(s.unknowns);
       residual.insert(residual.end(), s.residual.begin(), s.residual.end());
     }
@@ -261,7 +261,7 @@ double largest(const std::vector<double>& values) {
 void polish(Fitting& fitting, std::vector<double>& p, std::vector<double>& residual) {
   constexpr int kMostSteps = 4;
   for (int i = 0; i < kMostSteps; ++i) {
-    const LinearSolution change = least_squares(fitting.all_rows(p, residual));
+    const LeastSquares change = least_squares(fitting.all_rows(p, residual));
     std::vector<double> moved = p, there;
     for (std::size_t k = 0; k < p.size(); ++k) moved[k] += change.unknowns[k];
     if (!fitting.solve(moved, there) || !(largest(there) < largest(residual))) break;
@@ -288,7 +288,7 @@ std::optional<Fit> fit(const Candidate& candidate, const Observations& o, const 
   if (!fitting.solve(p, residual)) return std::nullopt;
   if (!p.empty() && largest(residual) < kPolished) polish(fitting, p, residual);
   const LinearRows rows = fitting.all_rows(p, residual);
-  LinearSolution change = least_squares(rows);
+  LeastSquares change = least_squares(rows);
   if (const double now = largest(residual); !o.exact() && now > 1 && now < 3)
     change = least_maximum(rows, 100);
   std::vector<double> unknowns = p;
@@ -344,7 +344,7 @@ RateGuess rate_guess(const Observations& o, std::size_t stride, bool spring) {
       row[2 + axis] = 1;
       rows.add(row, (after - 2 * x + before) / (h * h));
     }
-  const LinearSolution s = least_squares(rows);
+  const LeastSquares s = least_squares(rows);
   return {s.unknowns[0], spring ? s.unknowns[1] : 0};
 }
 

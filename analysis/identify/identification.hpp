@@ -19,7 +19,7 @@ struct Match {
   bool exact = false;            ///< every row agrees to the last bit
   double ulp = 0;                ///< the largest difference, in units of the last place that was recorded
   double allowed = 0;            ///< what rounding explains, in the same units
-  Flight flight;                 ///< with the numbers that a program would have been given
+  EngineFlight flight;           ///< with the numbers that a program would have been given
   std::optional<Rational> c, k;  ///< as it would have been given; none where it is not told
   std::array<std::optional<Rational>, 3> a;  ///< of the acceleration's constant part
   int group = 0;  ///< maps that no experiment of ours tells apart have the same number

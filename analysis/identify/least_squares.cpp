@@ -86,10 +86,10 @@ void LinearRows::add(const std::vector<double>& row, double value) {
   right.push_back(value);
 }
 
-LinearSolution least_squares(const LinearRows& rows, const std::vector<double>& weights) {
+LeastSquares least_squares(const LinearRows& rows, const std::vector<double>& weights) {
   const std::size_t n = rows.unknowns;
   const Normal normal(rows, weights);
-  LinearSolution s{std::vector<double>(n, 0), {}, rows.right};
+  LeastSquares s{std::vector<double>(n, 0), {}, rows.right};
   // Each further round makes good what the normal equations lost.
   for (int round = 0; round < 3; ++round) {
     std::vector<double> b(n, 0);
@@ -105,16 +105,16 @@ LinearSolution least_squares(const LinearRows& rows, const std::vector<double>& 
   return s;
 }
 
-LinearSolution least_maximum(const LinearRows& rows, int rounds) {
+LeastSquares least_maximum(const LinearRows& rows, int rounds) {
   std::vector<double> weights(rows.rows(), 1);
-  LinearSolution best = least_squares(rows);
-  const auto largest = [](const LinearSolution& s) {
+  LeastSquares best = least_squares(rows);
+  const auto largest = [](const LeastSquares& s) {
     double most = 0;
     for (const double r : s.residual) most = std::max(most, std::fabs(r));
     return most;
   };
   double least = largest(best);
-  LinearSolution last = best;
+  LeastSquares last = best;
   for (int round = 0; round < rounds && least > 1; ++round) {
     const double most = largest(last);
     if (!(most > 0)) break;

@@ -16,7 +16,7 @@ struct LinearRows {
   void add(const std::vector<double>& row, double value);
 };
 
-struct LinearSolution {
+struct LeastSquares {
   std::vector<double> unknowns;
   std::vector<double> variance;  ///< of each, for rows of variance 1; infinite where the rows do not say it
   std::vector<double> residual;
@@ -25,11 +25,11 @@ struct LinearSolution {
 /// The unknowns with the least sum of squares; those that the rows do not say are 0.
 ///
 /// param   weights  of the rows; all 1 when empty
-LinearSolution least_squares(const LinearRows& rows, const std::vector<double>& weights = {});
+LeastSquares least_squares(const LinearRows& rows, const std::vector<double>& weights = {});
 
 /// The unknowns with the least largest residual, nearly: Lawson's reweighting of least squares.
 ///
 /// source  Lawson (1961), Contributions to the theory of linear least maximum approximations
-LinearSolution least_maximum(const LinearRows& rows, int rounds);
+LeastSquares least_maximum(const LinearRows& rows, int rounds);
 
 }  // namespace shortfall

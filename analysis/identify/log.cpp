@@ -238,8 +238,8 @@ class Reader {
     // Zeros and round numbers in one column do not make the other one's numbers rounded.
     if (log_.velocities && log_.position_rounding.exact() != log_.velocity_rounding.exact()) agree();
     // Nine digits of a binary32 stand for it, and are not it.
-    const bool narrow_x = log_.position_rounding.kind == Rounding::Kind::binary32;
-    const bool narrow_v = log_.velocity_rounding.kind == Rounding::Kind::binary32;
+    const bool narrow_x = log_.position_rounding.kind == LogRounding::Kind::binary32;
+    const bool narrow_v = log_.velocity_rounding.kind == LogRounding::Kind::binary32;
     for (Log::Row& row : log_.rows)
       for (std::size_t i = 0; i < 3; ++i) {
         if (narrow_x) row.x[i] = static_cast<float>(row.x[i]);
@@ -249,10 +249,10 @@ class Reader {
   }
 
   void agree() {
-    Rounding& x = log_.position_rounding;
-    Rounding& v = log_.velocity_rounding;
-    Rounding& rounded = x.exact() ? v : x;
-    const Rounding& exact = x.exact() ? x : v;
+    LogRounding& x = log_.position_rounding;
+    LogRounding& v = log_.velocity_rounding;
+    LogRounding& rounded = x.exact() ? v : x;
+    const LogRounding& exact = x.exact() ? x : v;
     if (rounded.digits <= 3) rounded = exact;
   }
 

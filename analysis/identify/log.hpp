@@ -13,7 +13,7 @@
 namespace shortfall {
 
 /// How the numbers of a log were rounded when it was written.
-struct Rounding {
+struct LogRounding {
   enum class Kind {
     binary32,     ///< nothing was rounded: every number is a binary32, with all its digits
     binary64,     ///< nothing was rounded: every number is a binary64
@@ -47,8 +47,8 @@ struct Log {
   std::vector<int> axes;                            ///< of 0, 1, 2: those that have a column
   std::array<std::string, 3> names{"x", "y", "z"};  ///< of the columns of positions
   bool velocities = false;
-  Rounding position_rounding;
-  Rounding velocity_rounding;
+  LogRounding position_rounding;
+  LogRounding velocity_rounding;
   Rational units_in_metre = 1;  ///< 100 when lengths are in cm; 1 when the unit is not known
   std::string unit = "m";
   std::optional<Rational> dt;  ///< seconds; where the stamps say it

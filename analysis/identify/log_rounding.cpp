@@ -51,14 +51,14 @@ bool written_as_binary32(double value) {
 
 }  // namespace
 
-double Rounding::half(double value) const {
+double LogRounding::half(double value) const {
   if (kind == Kind::decimals) return 0.5 * std::pow(10.0, -digits);
   if (kind != Kind::significant) return 0;
   const double size = std::fabs(value);
   return 0.5 * std::pow(10.0, (size > 0 ? std::floor(std::log10(size)) : -300.0) + 1 - digits);
 }
 
-std::string Rounding::str() const {
+std::string LogRounding::str() const {
   if (kind == Kind::binary32) return "binary32";
   if (kind == Kind::binary64) return "binary64";
   return std::to_string(digits) + (kind == Kind::decimals ? " decimals" : " significant digits");
@@ -73,15 +73,15 @@ void RoundingWatch::see(std::string_view text, double value) {
   ++decimals_[static_cast<std::size_t>(std::clamp(d.decimals, 0, 31))];
 }
 
-Rounding RoundingWatch::rounding() const {
-  if (most_significant_ >= 15) return {Rounding::Kind::binary64, 0};
-  if (most_significant_ >= 8 && narrow_ == seen_) return {Rounding::Kind::binary32, 0};
+LogRounding RoundingWatch::rounding() const {
+  if (most_significant_ >= 15) return {LogRounding::Kind::binary64, 0};
+  if (most_significant_ >= 8 && narrow_ == seen_) return {LogRounding::Kind::binary32, 0};
   // Printed to so many digits in all, large numbers have fewer of them after the point. Zeros at the end may
   // have been left out, in one number of ten.
   const long full = decimals_[static_cast<std::size_t>(std::clamp(most_decimals_, 0, 31))];
   if (most_significant_ <= 9 && 2 * full < seen_ && most_significant_ >= 5)
-    return {Rounding::Kind::significant, most_significant_};
-  return {Rounding::Kind::decimals, most_decimals_};
+    return {LogRounding::Kind::significant, most_significant_};
+  return {LogRounding::Kind::decimals, most_decimals_};
 }
 
 }  // namespace shortfall

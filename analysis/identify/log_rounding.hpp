@@ -11,7 +11,7 @@ namespace shortfall {
 class RoundingWatch {
  public:
   void see(std::string_view text, double value);
-  Rounding rounding() const;
+  LogRounding rounding() const;
 
  private:
   long seen_ = 0;

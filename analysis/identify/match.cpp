@@ -51,11 +51,11 @@ class Matching {
   double noise() const {
     const double x_unit = 2 * o_.half_position(o_.largest_position());
     const double v_unit = o_.velocities ? 2 * o_.half_velocity(o_.largest_velocity()) : 1;
-    const double narrow = o_.rounding.kind == Rounding::Kind::binary64 ? 0x1p-29 : 1;
+    const double narrow = o_.rounding.kind == LogRounding::Kind::binary64 ? 0x1p-29 : 1;
     double most = 0;
     if (candidate_.tape->solves.empty()) {
       std::vector<Log::Triple> xs, vs;
-      Flight flight = match_.flight;
+      EngineFlight flight = match_.flight;
       flight.arithmetic = Arithmetic::binary64;
       fly(candidate_, o_.frame, o_.dt, flight, [&](std::size_t, const Log::Triple& x, const Log::Triple& v) {
         xs.push_back(x);
@@ -85,7 +85,7 @@ class Matching {
   /// param   wider  how many times farther than its spread a number is looked for: roundings add up along a
   ///                log, which the spread does not know
   void set_flight(double wider) {
-    Flight& f = match_.flight;
+    EngineFlight& f = match_.flight;
     const Fit& fit = match_.fit;
     // Errors of one sign in each addition of a frame look like another parameter.
     const double unit = narrow() || !o_.exact() ? 0x1p-24 : 0x1p-53;
@@ -105,13 +105,14 @@ class Matching {
       f.v0[i] = o_.exact() && velocity_known() ? o_.v[0][i] : fit.v0[i].value;
       f.impulse[i] = fit.j[i].value;
     }
-    f.arithmetic = o_.rounding.kind == Rounding::Kind::binary32 ? Arithmetic::binary32 : Arithmetic::binary64;
+    f.arithmetic =
+        o_.rounding.kind == LogRounding::Kind::binary32 ? Arithmetic::binary32 : Arithmetic::binary64;
   }
 
   /// Looks for numbers with which the map makes the log bit by bit.
   void search() {
     for (const double wider : {1.0, 8.0, 64.0}) {
-      const Flight before = match_.flight;
+      const EngineFlight before = match_.flight;
       set_flight(wider);
       if (wider > 1 && same_numbers(before, match_.flight)) continue;
       search_near();
@@ -125,12 +126,12 @@ class Matching {
   /// Along an oscillation roundings add up to far more than round numbers are off: those of a program may
   /// come nearer than the best that a fit finds.
   void try_round_numbers() {
-    std::optional<Flight> best;
+    std::optional<EngineFlight> best;
     double best_wider = 1;
     for (const double wider : {1.0, 8.0, 64.0}) {
       set_flight(wider);
-      const Flight told = match_.flight;
-      for (const Flight& flight : {told, stretched()}) {
+      const EngineFlight told = match_.flight;
+      for (const EngineFlight& flight : {told, stretched()}) {
         const double ulp = compare(candidate_, o_, flight).ulp;
         if (!(ulp < match_.ulp)) continue;
         match_.ulp = ulp;
@@ -142,7 +143,7 @@ class Matching {
     if (best) match_.flight = *best;
   }
 
-  static bool same_numbers(const Flight& a, const Flight& b) {
+  static bool same_numbers(const EngineFlight& a, const EngineFlight& b) {
     return a.c == b.c && a.k == b.k && a.gravity == b.gravity;
   }
 
@@ -151,10 +152,10 @@ class Matching {
     if (match_.flight.arithmetic == Arithmetic::binary32)
       arithmetics.push_back(Arithmetic::binary64_stored_32);
     for (const Arithmetic arithmetic : arithmetics)
-      for (const Flight& split : splits())
+      for (const EngineFlight& split : splits())
         for (const Adding adding : addings(split))
           for (const double c : damping_numbers()) {
-            Flight flight = split;
+            EngineFlight flight = split;
             flight.arithmetic = arithmetic;
             flight.adding = adding;
             flight.c = c;
@@ -167,11 +168,11 @@ class Matching {
   }
 
   bool velocity_known() const { return o_.velocities && o_.first_velocity; }
-  bool narrow() const { return o_.rounding.kind == Rounding::Kind::binary32; }
+  bool narrow() const { return o_.rounding.kind == LogRounding::Kind::binary32; }
 
   /// A spring pulls towards the place where it rests: in exact arithmetic the same as a constant part.
-  Flight stretched() const {
-    Flight f = match_.flight;
+  EngineFlight stretched() const {
+    EngineFlight f = match_.flight;
     for (const int axis : o_.axes) {
       const auto i = static_cast<std::size_t>(axis);
       const bool both = match_.a[i] && match_.k && !match_.k->is_zero();
@@ -182,10 +183,10 @@ class Matching {
   }
 
   /// Gravity and force are two summands for an engine; a log shows their sum.
-  std::vector<Flight> splits() const {
-    std::vector<Flight> result;
+  std::vector<EngineFlight> splits() const {
+    std::vector<EngineFlight> result;
     const auto split = [&](double g) {
-      Flight f = match_.flight;
+      EngineFlight f = match_.flight;
       for (const int axis : o_.axes) {
         const auto i = static_cast<std::size_t>(axis);
         const Rational pull = axis == known_.up ? -simplest(g, 1e-12 * g) : Rational(0);
@@ -209,7 +210,7 @@ class Matching {
     return result;
   }
 
-  std::vector<Adding> addings(const Flight& f) const {
+  std::vector<Adding> addings(const EngineFlight& f) const {
     const bool pushed = f.k != 0 || std::ranges::any_of(f.force, [](double a) { return a != 0; }) ||
                         (!candidate_.own_damping && f.c != 0);
     if (!pushed) return {Adding::at_once};
@@ -237,7 +238,7 @@ class Matching {
   }
 
   /// Where a body is in the second row when it is launched so.
-  double first_position(Flight& flight, double& number, double value, int axis) const {
+  double first_position(EngineFlight& flight, double& number, double value, int axis) const {
     number = value;
     double x = 0;
     fly(candidate_, {o_.frame[0], o_.frame[1]}, o_.dt, flight,
@@ -250,7 +251,7 @@ class Matching {
 
   /// The first neighbour of a launch with which the body comes as far in the second row as the log says: it
   /// goes the farther the faster it starts. kNeighbours + 1 when none does.
-  int first_that_reaches(Flight& flight, double& number, double middle, int axis) const {
+  int first_that_reaches(EngineFlight& flight, double& number, double middle, int axis) const {
     const double wanted = o_.x[1][static_cast<std::size_t>(axis)];
     int low = -kNeighbours - 1, high = kNeighbours + 1;
     while (high - low > 1) {
@@ -263,7 +264,7 @@ class Matching {
   }
 
   /// Whether there is a launch that makes the log; a launch that was recorded is it.
-  bool launched(Flight& flight) const {
+  bool launched(EngineFlight& flight) const {
     if (velocity_known() && flight.launch == Launch::velocity)
       return compare(candidate_, o_, flight, -1, false).exact;
     // The axis that moves most refutes soonest.

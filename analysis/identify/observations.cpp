@@ -15,9 +15,9 @@ double largest(const std::vector<Log::Triple>& values, const std::vector<int>& a
   return result;
 }
 
-double half(const Rounding& rounding, double value, double most) {
+double half(const LogRounding& rounding, double value, double most) {
   if (!rounding.exact()) return rounding.half(value);
-  return std::max(most, 1e-30) * (rounding.kind == Rounding::Kind::binary32 ? 0x1p-24 : 0x1p-53);
+  return std::max(most, 1e-30) * (rounding.kind == LogRounding::Kind::binary32 ? 0x1p-24 : 0x1p-53);
 }
 
 }  // namespace

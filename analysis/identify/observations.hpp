@@ -17,7 +17,7 @@ struct Observations {
   std::vector<Triple> x, v;
   bool velocities = false;
   bool first_velocity = true;  ///< false: the velocity was set after row 0 had been written
-  Rounding rounding, velocity_rounding;
+  LogRounding rounding, velocity_rounding;
   double dt = 0;
   double most_position = 0, most_velocity = 0;  ///< the largest absolute values
 

@@ -30,7 +30,7 @@ Port port(const PortQuestion& q) {
   Observations o;
   o.axes = {1};
   o.dt = q.to_dt.to_double();
-  o.rounding = o.velocity_rounding = {Rounding::Kind::binary64, 0};
+  o.rounding = o.velocity_rounding = {LogRounding::Kind::binary64, 0};
   Port result;
   for (std::size_t i = 0; static_cast<double>(i) * stride <= static_cast<double>(frames); ++i) {
     const auto& row = r.position[i * static_cast<std::size_t>(stride)];

@@ -25,7 +25,7 @@ bool same_place(const Log& log, std::size_t a, std::size_t b) {
 
 /// How far a fit may be off: rounding, and the arithmetic of whatever engine it was.
 bool fits(const Fit& f, const Observations& o) {
-  const double narrow = o.rounding.kind == Rounding::Kind::binary64 ? 0x1p-53 : 0x1p-24;
+  const double narrow = o.rounding.kind == LogRounding::Kind::binary64 ? 0x1p-53 : 0x1p-24;
   const double n = static_cast<double>(o.frames());
   // A velocity that loses half a unit in every frame is off by n/2 units in the end, and the position by
   // their sum.

@@ -11,7 +11,7 @@ using namespace shortfall;
 namespace {
 
 nlohmann::json budget_of(const Folder& folder, const std::string& arguments) {
-  const Outcome o = folder.run("budget " + arguments + " --json");
+  const CommandRun o = folder.run("budget " + arguments + " --json");
   CAPTURE(o.error);
   REQUIRE(o.code == 0);
   return nlohmann::json::parse(o.out);
@@ -92,7 +92,7 @@ TEST_CASE("budget refuses what has no answer, with one sentence and the document
         {"--steps 10 --dt -1", 2, "greater than 0"},
         {"--steps 10 --formats mpfr:1000000000", 2, "from 2 to 100000"}}) {
     CAPTURE(arguments);
-    const Outcome o = folder.run(std::string("budget ") + arguments + " -o out.txt");
+    const CommandRun o = folder.run(std::string("budget ") + arguments + " -o out.txt");
     CHECK(o.code == code);
     CHECK(contains(o.error, sentence));
     CHECK(o.out.empty());

@@ -14,13 +14,13 @@
 namespace shortfall {
 namespace {
 
-struct Outcome {
+struct CommandRun {
   int code;
   std::string said;
 };
 
 /// stdout and stderr together.
-Outcome clock_command(const std::string& options) {
+CommandRun clock_command(const std::string& options) {
   const std::string command = std::string(SHORTFALL_BINARY) + " clock " + options + " 2>&1";
   FILE* const pipe = popen(command.c_str(), "r");
   REQUIRE(pipe != nullptr);
@@ -32,12 +32,12 @@ Outcome clock_command(const std::string& options) {
 }
 
 nlohmann::json json(const std::string& options) {
-  const Outcome o = clock_command(options + " --json");
+  const CommandRun o = clock_command(options + " --json");
   REQUIRE(o.code == 0);
   return nlohmann::json::parse(o.said);
 }
 
-bool has(const Outcome& o, const std::string& text) { return o.said.find(text) != std::string::npos; }
+bool has(const CommandRun& o, const std::string& text) { return o.said.find(text) != std::string::npos; }
 
 }  // namespace
 
@@ -75,7 +75,7 @@ TEST_CASE("clock --kahan says how its value is known") {
 }
 
 TEST_CASE("clock --csv has a line for each spacing, consecutive, up to where the clock stops") {
-  const Outcome o = clock_command("--dt 1/60f --steps 1 --csv");
+  const CommandRun o = clock_command("--dt 1/60f --steps 1 --csv");
   CHECK(o.code == 0);
   CHECK(o.said.starts_with("sums_from,sums_to,first_addition,"));
   CHECK(has(o, ",16598347,24986955,1/32,"));
@@ -83,7 +83,7 @@ TEST_CASE("clock --csv has a line for each spacing, consecutive, up to where the
 }
 
 TEST_CASE("clock in ASCII has no other characters, and 10^18 additions are said to have stopped") {
-  const Outcome o = clock_command("--dt 0.1f --steps 1e18 --ascii");
+  const CommandRun o = clock_command("--dt 0.1f --steps 1e18 --ascii");
   CHECK(o.code == 0);
   CHECK(std::ranges::all_of(o.said, [](char c) { return static_cast<unsigned char>(c) < 128; }));
   CHECK(has(o, "2^21 = 2097152 s, after 18073720 additions"));
@@ -98,7 +98,7 @@ TEST_CASE("clock refuses what has no answer, with the documented exit codes") {
         "--dt 0.1 --steps 1 --format f32+fma --kahan", "--dt 0.1 --steps 1 --format fixed:99",
         "--dt 0.1 --steps 1 --format fixed:9 --kahan"}) {
     INFO(options);
-    const Outcome o = clock_command(options);
+    const CommandRun o = clock_command(options);
     CHECK(o.code == 2);
     CHECK(o.said.starts_with("shortfall: "));
     CHECK(std::ranges::count(o.said, '\n') == 1);

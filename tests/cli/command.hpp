@@ -18,7 +18,7 @@ namespace shortfall {
 namespace fs = std::filesystem;
 
 /// What a command left behind.
-struct Outcome {
+struct CommandRun {
   int code = 0;
   std::string out;
   std::string error;
@@ -50,7 +50,7 @@ class Folder {
 
   /// param   arguments  of the command, as a shell reads them
   /// param   before     what stands before it, such as NO_COLOR=1
-  Outcome run(const std::string& arguments, const std::string& before = "") const {
+  CommandRun run(const std::string& arguments, const std::string& before = "") const {
     const std::string command = "cd '" + path_.string() + "' && " + before + " '" + SHORTFALL_BINARY + "' " +
                                 arguments + " >.out 2>.error";
     const int code = WEXITSTATUS(std::system(command.c_str()));
@@ -69,7 +69,7 @@ class Asked : public Folder {
   int code = 0;
   std::string out, error;
   void run(const std::string& arguments, const std::string& before = "") {
-    const Outcome o = Folder::run(command_ + " " + arguments, before);
+    const CommandRun o = Folder::run(command_ + " " + arguments, before);
     code = o.code;
     out = o.out;
     error = o.error;
@@ -96,11 +96,11 @@ inline std::string limited(int megabytes, int seconds) {
 }
 
 /// In an empty folder.
-inline Outcome run(const std::string& arguments) { return Folder().run(arguments); }
+inline CommandRun run(const std::string& arguments) { return Folder().run(arguments); }
 
 /// The answer of a command that succeeds, with --json.
 inline nlohmann::json json_of(const std::string& arguments) {
-  const Outcome o = run(arguments + " --json");
+  const CommandRun o = run(arguments + " --json");
   CHECK(o.error == "");
   REQUIRE(o.code == 0);
   return nlohmann::json::parse(o.out);
@@ -112,7 +112,7 @@ inline bool contains(const std::string& text, const std::string& part) {
 
 /// The same for a command that runs in a folder, which ends with a code.
 inline nlohmann::json json_of(const Folder& folder, const std::string& arguments, int code = 0) {
-  const Outcome o = folder.run(arguments + " --json");
+  const CommandRun o = folder.run(arguments + " --json");
   CAPTURE(arguments);
   CAPTURE(o.error);
   REQUIRE(o.code == code);

@@ -62,7 +62,7 @@ TEST_CASE("bad damping is refused in one sentence") {
                                         {"damping --lang cobol", 2},
                                         {"damping godot --param d=1", 2}}) {
     CAPTURE(arguments);
-    const Outcome o = run(arguments);
+    const CommandRun o = run(arguments);
     CHECK(o.code == code);
     CHECK(o.out.empty());
     CHECK(o.error.starts_with("shortfall: "));

@@ -10,10 +10,10 @@
 namespace shortfall {
 namespace {
 
-Outcome derive(const std::string& arguments) { return run("derive " + arguments); }
+CommandRun derive(const std::string& arguments) { return run("derive " + arguments); }
 
 TEST_CASE("10^18 steps are answered with digits, the radius of the ball and the sign") {
-  const Outcome o = derive("velocity-verlet --force spring:k=1 --dt 1/10 --steps 1e18 --x0 1 --json");
+  const CommandRun o = derive("velocity-verlet --force spring:k=1 --dt 1/10 --steps 1e18 --x0 1 --json");
   REQUIRE(o.code == 0);
   const auto json = nlohmann::json::parse(o.text());
   CHECK(json["schema"] == "shortfall.derive/1");
@@ -34,13 +34,13 @@ TEST_CASE("what is exact and short is a fraction") {
 }
 
 TEST_CASE("gravity is the constant force that is not given") {
-  const Outcome o = derive("symplectic-euler --steps 1e18 --v0 3");
+  const CommandRun o = derive("symplectic-euler --steps 1e18 --v0 3");
   CHECK(contains(o.text(), "x'' = −981/100"));
   CHECK(contains(o.text(), "x(t) - x_n = 1962000000000000 m   exact"));
 }
 
 TEST_CASE("the runaway of an unstable step is still a number") {
-  const Outcome o = derive("explicit-euler --force spring:k=1 --dt 1/10 --steps 1e18 --x0 1");
+  const CommandRun o = derive("explicit-euler --force spring:k=1 --dt 1/10 --steps 1e18 --x0 1");
   CHECK(contains(o.text(), "6.4567202788107927919484507218014951614760699851088e+2160686891321285"));
 }
 
@@ -56,7 +56,7 @@ TEST_CASE("a question in numbers that lacks one is refused") {
                                         {"--force spring:q=1 --steps 1", "letters of the force"},
                                         {"--steps 5 --latex", "leave one of the two out"}}) {
     CAPTURE(arguments);
-    const Outcome o = derive(arguments);
+    const CommandRun o = derive(arguments);
     CHECK(o.code == 2);
     CHECK(contains(o.text(), word));
   }

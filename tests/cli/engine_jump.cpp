@@ -51,7 +51,7 @@ TEST_CASE("a force that is held over frame 1 launches, too") {
   CHECK(json["launch_by"] == "force");
   CHECK(json["correction"]["launch"].is_null());
   CHECK(json["on_frame"]["height"] == "17/10");
-  const Outcome o = run("jump rapier --height 1.7 --launch force");
+  const CommandRun o = run("jump rapier --height 1.7 --launch force");
   CHECK(contains(o.out, "launched by a force that is held over frame 1"));
   CHECK(contains(o.out, "the force's own frame included"));
   CHECK(contains(run("jump --all-engines --height 1.7 --launch force").out, "held over frame 1"));

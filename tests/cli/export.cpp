@@ -24,7 +24,7 @@ TEST_CASE("export leaves a folder alone that holds something, unless it is told 
   const Folder folder;
   fs::create_directory(folder.path("full"));
   folder.write("full/mine.txt", "mine");
-  Outcome o = folder.run("export symplectic-euler --html --latex -o full");
+  CommandRun o = folder.run("export symplectic-euler --html --latex -o full");
   CHECK(o.code == 5);
   CHECK(o.error.find("--overwrite") != std::string::npos);
   CHECK(!folder.has("full/symplectic-euler.html"));
@@ -42,11 +42,11 @@ TEST_CASE("export says what is missing or unknown") {
   const Folder folder;
   CHECK(folder.run("export symplectic-euler -o out").code == 2);
   CHECK(folder.run("export symplectic-euler --html --latex").code == 2);
-  const Outcome o = folder.run("export symplectic-euler --code rusty -o out");
+  const CommandRun o = folder.run("export symplectic-euler --code rusty -o out");
   CHECK(o.code == 2);
   CHECK(o.error.find("did you mean 'rust'") != std::string::npos);
   CHECK(!folder.has("out"));
   // Exact for its force: a page that says so, and no code.
-  const Outcome exact = folder.run("export velocity-verlet --force poly:1 --html --code all -o exact");
+  const CommandRun exact = folder.run("export velocity-verlet --force poly:1 --html --code all -o exact");
   CHECK(exact.code == 0);
 }

@@ -30,7 +30,7 @@ std::string damped_fall(int rows, double damping) {
 TEST_CASE("identify names the map, its numbers, and what repairs it") {
   const Folder folder;
   folder.write("log.csv", damped_fall(90, 0.5));
-  const Outcome told = folder.run("identify log.csv");
+  const CommandRun told = folder.run("identify log.csv");
   CHECK(told.code == 0);
   CHECK(contains(told.out, "90 rows, binary64, with velocities, dt = 1/50 s (time stamps)"));
   CHECK(contains(told.out, "cannon-es"));
@@ -45,7 +45,7 @@ TEST_CASE("identify names the map, its numbers, and what repairs it") {
   CHECK(json["repair"].is_null());
   const std::string recorded =
       "identify " SHORTFALL_SOURCE_DIR "/tests/data/recordings/rapier3d/force_v0_2_0_dt1-50_g9.81_d0.5.csv";
-  const Outcome one = run(recorded);
+  const CommandRun one = run(recorded);
   const std::string repair = "shortfall correct rapier --substeps 4 --param c=1/2 --dt 1/50";
   CHECK(contains(one.out, "Identified: no other map that is known makes this log."));
   CHECK(contains(one.out, "What repairs it (" + repair + ")"));
@@ -56,7 +56,7 @@ TEST_CASE("identify names the map, its numbers, and what repairs it") {
 TEST_CASE("identify draws what is left, and writes the repair as code") {
   const Folder folder;
   folder.write("log.csv", damped_fall(90, 0));
-  const Outcome drawn = folder.run("identify log.csv --plot left.svg");
+  const CommandRun drawn = folder.run("identify log.csv --plot left.svg");
   if (drawn.code == 5) {  // gnuplot is not here
     CHECK(contains(drawn.error, "gnuplot"));
   } else {
@@ -66,14 +66,15 @@ TEST_CASE("identify draws what is left, and writes the repair as code") {
   CHECK(folder.run("identify log.csv --plot left.bmp").code == 2);
   CHECK_FALSE(folder.has("left.bmp"));
   folder.write("damped.csv", damped_fall(90, 0.5));
-  const Outcome code = folder.run("identify damped.csv --lang python");
+  const CommandRun code = folder.run("identify damped.csv --lang python");
   CHECK(code.code == 4);  // several conventions of damping make it
-  const Outcome kit = run("identify " SHORTFALL_SOURCE_DIR
-                          "/tests/data/recordings/rapier3d/force_v0_2_0_dt1-50_g9.81_d0.5.csv --lang python");
+  const CommandRun kit =
+      run("identify " SHORTFALL_SOURCE_DIR
+          "/tests/data/recordings/rapier3d/force_v0_2_0_dt1-50_g9.81_d0.5.csv --lang python");
   CHECK(kit.code == 0);
   CHECK(contains(kit.out, "class ExactDrag:"));
   // Two ways of adding up the same fall are different maps: no code then.
-  const Outcome several = folder.run("identify log.csv --lang python");
+  const CommandRun several = folder.run("identify log.csv --lang python");
   CHECK(several.code == 4);
   CHECK(contains(several.error, "different maps make"));
 }
@@ -82,7 +83,7 @@ TEST_CASE("identify refuses what is no log, each in one sentence with its place"
   const Folder folder;
   const auto refused = [&](const std::string& text, int code, const std::string& words) {
     folder.write("bad.csv", text);
-    const Outcome o = folder.run("identify bad.csv");
+    const CommandRun o = folder.run("identify bad.csv");
     CAPTURE(text);
     CAPTURE(o.error);
     CHECK(o.code == code);
@@ -120,7 +121,7 @@ TEST_CASE("identify --with: an integrator of the user is a candidate as well") {
                "integrator mine\n  param c : 1/T = 1/2\nstep\n  u = v + h*a(x, v, t) - c*h*v\n"
                "  x = x + h*(1/4*v + 3/4*u)\n  v = u\n");
   CHECK_FALSE(contains(folder.run("identify log.csv --all").out, "mine"));
-  const Outcome found = folder.run("identify log.csv --with mine.integrator");
+  const CommandRun found = folder.run("identify log.csv --with mine.integrator");
   CAPTURE(found.out);
   CHECK(found.code == 0);
   CHECK(contains(found.out, "mine "));
@@ -128,7 +129,7 @@ TEST_CASE("identify --with: an integrator of the user is a candidate as well") {
 }
 
 TEST_CASE("identify --by-dt: order, limit and method from peaks") {
-  const Outcome o = run("identify --by-dt 30Hz:165px 60Hz:150px 120Hz:142.5px");
+  const CommandRun o = run("identify --by-dt 30Hz:165px 60Hz:150px 120Hz:142.5px");
   CHECK(o.code == 0);
   CHECK(contains(o.out, "order   1\n"));
   CHECK(contains(o.out, "limit   135 px"));
@@ -144,7 +145,7 @@ TEST_CASE("port gives numbers that make the same motion, and code") {
   CHECK(json["error"].get<double>() < 1e-12);
   // rapier with four substeps needs a larger damping number than PhysX, which scales by 1 - c h.
   CHECK(json["ported"]["c"].get<double>() > 0.5);
-  const Outcome code = run("port physx rapier --dt 60Hz --height 1.7 --param c=0.5 --lang python");
+  const CommandRun code = run("port physx rapier --dt 60Hz --height 1.7 --param c=0.5 --lang python");
   CHECK(code.code == 0);
   CHECK(contains(code.out, "def ported_launch"));
   CHECK(run("port physx rapier --dt 60Hz").code == 2);
@@ -154,15 +155,15 @@ TEST_CASE("port gives numbers that make the same motion, and code") {
 TEST_CASE("guard passes on the map that made a log and fails on another, with a reason") {
   const Folder folder;
   folder.write("log.csv", damped_fall(90, 0.5));
-  const Outcome same = folder.run("guard log.csv cannon-es");
+  const CommandRun same = folder.run("guard log.csv cannon-es");
   CHECK(same.code == 0);
   CHECK(contains(same.out, "cannon-es reproduces rows 0 to 89 of log.csv to the last bit"));
-  const Outcome other = folder.run("guard log.csv jolt --substeps 2");
+  const CommandRun other = folder.run("guard log.csv jolt --substeps 2");
   CHECK(other.code == 1);
   CHECK(contains(other.out, "does not reproduce log.csv"));
   // A damping number that was given must be the one that is found.
   CHECK(folder.run("guard log.csv cannon-es --param c=0.5").code == 0);
-  const Outcome changed = folder.run("guard log.csv cannon-es --param c=0.3");
+  const CommandRun changed = folder.run("guard log.csv cannon-es --param c=0.3");
   CHECK(changed.code == 1);
   CHECK(contains(changed.out, "with another damping number than c = 3/10: c = 0.5, a_y = -9.81"));
   const std::string recorded =

@@ -12,7 +12,7 @@ namespace shortfall {
 namespace {
 
 TEST_CASE("jump answers first, in the user's unit, and says what is rounded") {
-  const Outcome o = run("jump --height 40cm --dt 0.02");
+  const CommandRun o = run("jump --height 40cm --dt 0.02");
   CHECK(o.code == 0);
   CHECK(o.error.empty());
   CHECK(contains(
@@ -26,7 +26,7 @@ TEST_CASE("jump answers first, in the user's unit, and says what is rounded") {
 }
 
 TEST_CASE("plain ASCII is plain ASCII") {
-  const Outcome o = run("jump --height 1.7m --ascii");
+  const CommandRun o = run("jump --height 1.7m --ascii");
   CHECK(o.code == 0);
   CHECK(contains(o.out, "A jump to 1.7 m falls ~ 5.727052377 cm short"));
   for (const char c : o.out) CHECK(static_cast<unsigned char>(c) < 128);
@@ -34,7 +34,7 @@ TEST_CASE("plain ASCII is plain ASCII") {
 
 TEST_CASE("jump says when a body goes too high, and when it stays on the ground") {
   CHECK(contains(run("jump explicit-euler --height 40cm").out, "goes ≈ 2.840846215 cm too high"));
-  const Outcome low = run("jump --height 1.962mm");
+  const CommandRun low = run("jump --height 1.962mm");
   CHECK(low.code == 0);
   CHECK(contains(low.out, "A jump to 1.962 mm does not leave the ground"));
   CHECK(contains(run("jump drift-kick --height 1mm").out, "Every jump leaves the ground"));
@@ -89,7 +89,7 @@ TEST_CASE("a time step is a step or a rate, and g and substeps are honoured") {
 }
 
 TEST_CASE("a sweep is one line a height in CSV, a list in JSON, a table for people") {
-  const Outcome csv = run("jump --height 1mm:100m:log:50 --csv");
+  const CommandRun csv = run("jump --height 1mm:100m:log:50 --csv");
   CHECK(csv.code == 0);
   CHECK(std::count(csv.out.begin(), csv.out.end(), '\n') == 51);
   CHECK(csv.out.starts_with("target_m,launch_m_per_s,best_frame,best_height_m,shortfall_m,"));
@@ -138,7 +138,7 @@ TEST_CASE("bad input is refused with one sentence and exit code 2") {
                                 "--height 2:0:log:3",
                                 "--height 1:2:lin:1000000000"}) {
     CAPTURE(arguments);
-    const Outcome o = run(std::string("jump ") + arguments);
+    const CommandRun o = run(std::string("jump ") + arguments);
     CHECK(o.code == 2);
     CHECK(o.out.empty());
     CHECK(o.error.starts_with("shortfall: "));
@@ -163,7 +163,7 @@ TEST_CASE("an integrator file with a mistake is exit code 3, a flight without an
   CHECK(folder.run("jump wrong.integrator --height 1").code == 3);
   CHECK(folder.run("jump floating.integrator --height 1").code == 4);
   CHECK(folder.run("jump damped.integrator --height 1 --lang python").code == 4);
-  const Outcome damped = folder.run("jump damped.integrator --height 1");
+  const CommandRun damped = folder.run("jump damped.integrator --height 1");
   CHECK(damped.code == 0);
   CHECK(contains(damped.out, "does not exist"));
   CHECK(folder.run("jump damped.integrator --height 1 --param c=0").out.find("½ g dt") != std::string::npos);

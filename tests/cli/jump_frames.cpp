@@ -16,7 +16,7 @@ const std::string kExample = std::string(SHORTFALL_SOURCE_DIR) + "/examples/fram
 TEST_CASE("jump over frames answers first, then says why, that no launch helps, and what does") {
   const Folder folder;
   folder.write("frames.csv", "dt [ms]\n20\n20\n50\n20\n");
-  const Outcome o = folder.run("jump --height 40cm --dt-file frames.csv --repeat");
+  const CommandRun o = folder.run("jump --height 40cm --dt-file frames.csv --repeat");
   CHECK(o.code == 0);
   CHECK(o.error.empty());
   // By hand: 0.26 s up to frame 10, squares 8*0.0004 + 2*0.0025 s^2, and g/2 of that is lost.
@@ -30,20 +30,20 @@ TEST_CASE("jump over frames answers first, then says why, that no launch helps, 
   CHECK(contains(o.out, "x += −½ a h² at the end of each frame: exact for every list (proved)"));
   CHECK(contains(o.out, "velocity-verlet"));
   CHECK(contains(o.out, "dt = 0.02 s from an accumulator, launched with sqrt(2 g H) + ½ g dt"));
-  const Outcome verlet = folder.run("jump velocity-verlet --height 40cm --dt-file frames.csv --repeat");
+  const CommandRun verlet = folder.run("jump velocity-verlet --height 40cm --dt-file frames.csv --repeat");
   CHECK(contains(verlet.out, "none needed: every frame of every list is on the exact parabola (proved)"));
   CHECK_FALSE(contains(verlet.out, "What does"));
-  const Outcome two_step = folder.run("jump AB2 --height 40cm --dt-file frames.csv --repeat");
+  const CommandRun two_step = folder.run("jump AB2 --height 40cm --dt-file frames.csv --repeat");
   CHECK(contains(two_step.out, "depends on v_prev, which an earlier step has left behind"));
   CHECK(contains(two_step.out, "falls short by −½ h₁ h₂ a + ½ h₂² a"));
-  const Outcome ascii = folder.run("jump --height 40cm --dt-file frames.csv --repeat --ascii");
+  const CommandRun ascii = folder.run("jump --height 40cm --dt-file frames.csv --repeat --ascii");
   CHECK(ascii.code == 0);
   for (const char c : ascii.out) CHECK(static_cast<unsigned char>(c) < 128);
 }
 
 TEST_CASE("the JSON of a jump over frames adds up, frame by frame") {
   const Folder folder;
-  const Outcome o = folder.run("jump --height 1.7 --dt-file " + kExample + " --json");
+  const CommandRun o = folder.run("jump --height 1.7 --dt-file " + kExample + " --json");
   REQUIRE(o.code == 0);
   const auto json = nlohmann::json::parse(o.out);
   CHECK(json["schema"] == "shortfall.jump/1");
@@ -80,7 +80,7 @@ TEST_CASE("the JSON of a jump over frames adds up, frame by frame") {
 TEST_CASE("the CSV has one line a frame") {
   const Folder folder;
   folder.write("frames.csv", "0.02\n0.05\n0.02\n");
-  const Outcome o = folder.run("jump --height 40cm --dt-file frames.csv --repeat --csv");
+  const CommandRun o = folder.run("jump --height 40cm --dt-file frames.csv --repeat --csv");
   CHECK(o.code == 0);
   CHECK(o.out.starts_with("n,t_s,h_s,height_m,exact_height_m,shortfall_m\n0,0,0,0,0,0\n1,0.02,0.02,"));
   CHECK(contains(o.out, "\n2,0.07,0.05,"));
@@ -93,7 +93,7 @@ TEST_CASE("the corrected step as code") {
   CHECK(contains(folder.run("jump " + frames + " --lang python").out, "x = x - 0.5 * (dt * dt) * a"));
   CHECK(contains(folder.run("jump " + frames + " --lang rust").out, "x = x - 0.5 * (dt * dt) * a;"));
   CHECK(folder.run("jump velocity-verlet " + frames + " --lang js").code == 0);
-  const Outcome none = folder.run("jump AB2 " + frames + " --lang python");
+  const CommandRun none = folder.run("jump AB2 " + frames + " --lang python");
   CHECK(none.code == 4);
   CHECK(contains(none.error, "there is no term that makes every step exact"));
   CHECK(none.out.empty());
@@ -102,7 +102,7 @@ TEST_CASE("the corrected step as code") {
 TEST_CASE("seconds that look like milliseconds are noticed") {
   const Folder folder;
   folder.write("frames.csv", "16.7\n16.6\n");
-  const Outcome o = folder.run("jump --height 40km --dt-file frames.csv --repeat");
+  const CommandRun o = folder.run("jump --height 40km --dt-file frames.csv --repeat");
   CHECK(o.code == 0);
   CHECK(contains(o.out, "for milliseconds begin it with the line: dt [ms]"));
 }
@@ -111,7 +111,7 @@ TEST_CASE(
     "a list that is over too soon says how much is missing; one that is over while the body falls answers") {
   const Folder folder;
   folder.write("short.csv", "0.1\n0.1\n");
-  const Outcome o = folder.run("jump --height 1 --dt-file short.csv");
+  const CommandRun o = folder.run("jump --height 1 --dt-file short.csv");
   CHECK(o.code == 3);
   CHECK(o.out.empty());
   // The top of a jump to 1 m is at sqrt(2/9.81) = 0.451524 s.
@@ -120,7 +120,7 @@ TEST_CASE(
         "rises; the exact motion is at its top 0.251524 s (rounded) later. Add frames, or say --repeat to "
         "begin the list anew\n");
   folder.write("falling.csv", "0.1\n0.1\n0.1\n0.1\n0.1\n0.1\n");
-  const Outcome falling = folder.run("jump --height 1 --dt-file falling.csv");
+  const CommandRun falling = folder.run("jump --height 1 --dt-file falling.csv");
   CHECK(falling.code == 0);
   CHECK(contains(falling.out, "no later frame is higher (proved)"));
 }
@@ -129,7 +129,7 @@ TEST_CASE("bad files are refused with one sentence: exit code 3, or 5 when they 
   const Folder folder;
   const auto refused = [&](const std::string& text) {
     folder.write("bad.csv", text);
-    const Outcome o = folder.run("jump --height 1 --dt-file bad.csv");
+    const CommandRun o = folder.run("jump --height 1 --dt-file bad.csv");
     CHECK(o.code == 3);
     CHECK(o.out.empty());
     CHECK(o.error.starts_with("bad.csv:"));
@@ -144,7 +144,7 @@ TEST_CASE("bad files are refused with one sentence: exit code 3, or 5 when they 
                                      "ELF\0\0",
                                      6)),
                  "this is no text"));
-  const Outcome missing = folder.run("jump --height 1 --dt-file none.csv");
+  const CommandRun missing = folder.run("jump --height 1 --dt-file none.csv");
   CHECK(missing.code == 5);
   CHECK(missing.error == "shortfall: cannot read the file 'none.csv'\n");
   CHECK(folder.run("jump --height 1 --dt-file .").code == 5);
@@ -158,7 +158,7 @@ TEST_CASE("options that do not go together are usage: exit code 2") {
     CAPTURE(arguments);
     std::string text = arguments;
     if (const auto at = text.find('F'); at != std::string::npos) text.replace(at, 1, kExample);
-    const Outcome o = folder.run("jump " + text);
+    const CommandRun o = folder.run("jump " + text);
     CHECK(o.code == 2);
     CHECK(o.out.empty());
     CHECK(o.error.starts_with("shortfall: "));

@@ -17,7 +17,7 @@ TEST_CASE(
         "derive bullet --param c=1 --force constant --steps 10", "spring bullet --param c=1 --k 4",
         "jump bullet --param c=1 --height 1", "jump bullet --param c=2 --height 1"}) {
     CAPTURE(arguments);
-    const Outcome o = run(arguments);
+    const CommandRun o = run(arguments);
     CHECK(o.code == 4);
     CHECK(o.out.empty());
     CHECK(contains(o.error, "is no real number"));
@@ -25,7 +25,7 @@ TEST_CASE(
 }
 
 TEST_CASE("an oscillator: frequency, launch, energy") {
-  const Outcome o = run("derive velocity-verlet --force spring --ascii");
+  const CommandRun o = run("derive velocity-verlet --force spring --ascii");
   CHECK(o.code == 0);
   CHECK(contains(o.text(), "k := -2*(C - 1)/h^2"));
   CHECK(contains(o.text(), "v^2 - 1/4*k^2*x^2*h^2 + k*x^2 is conserved exactly"));
@@ -35,7 +35,7 @@ TEST_CASE("an oscillator: frequency, launch, energy") {
 }
 
 TEST_CASE("roots of equations come with their equations, their existence and numbers") {
-  const Outcome o = run("correct rk4 --force spring:k=4 --dt 1/10 --json");
+  const CommandRun o = run("correct rk4 --force spring:k=4 --dt 1/10 --json");
   REQUIRE(o.code == 0);
   const auto json = nlohmann::json::parse(o.text());
   CHECK(json["equations"]["unknowns"].size() == 2);
@@ -45,7 +45,7 @@ TEST_CASE("roots of equations come with their equations, their existence and num
   CHECK(json["numbers"][0]["target"] == "k");
   CHECK(json["numbers"][0]["terms"][0]["decimal"] == "4.00010515419693755859175346991");
   CHECK(json["obstruction"].is_null());
-  const Outcome text = run("correct rk4 --force spring --ascii");
+  const CommandRun text = run("correct rk4 --force spring --ascii");
   CHECK(
       contains(text.text(),
                "a stiffness alone does not exist: the determinant of the step is 1/576*y^4 - 1/72*y^3 + 1"));
@@ -54,7 +54,7 @@ TEST_CASE("roots of equations come with their equations, their existence and num
 }
 
 TEST_CASE("a kit that does not reach a step length says so") {
-  const Outcome o = run("correct rk4 --force drag:c=4 --dt 1/2");
+  const CommandRun o = run("correct rk4 --force drag:c=4 --dt 1/2");
   CHECK(o.code == 4);
   CHECK(contains(o.text(), "the least that the step can give is 0.270395"));
 }

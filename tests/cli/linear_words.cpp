@@ -20,20 +20,20 @@ std::size_t longest_line(const std::string& text) {
 }
 
 TEST_CASE("correct --lang writes the kit of a linear force, and says why there is none") {
-  const Outcome cpp = run("correct symplectic-euler --force damped-spring --lang cpp");
+  const CommandRun cpp = run("correct symplectic-euler --force damped-spring --lang cpp");
   CHECK(cpp.code == 0);
   CHECK(contains(cpp.out, "struct ExactDampedSpring"));
   CHECK(contains(run("correct rapier --force drag --lang python").out, "class ExactDrag:"));
   CHECK(contains(run("correct velocity-verlet --force spring --lang gdscript").out, "class ExactSpring:"));
   CHECK(run("correct symplectic-euler --force spring --lang cpp --height 1").code == 2);
-  const Outcome unknown = run("correct symplectic-euler --force spring --lang klingon");
+  const CommandRun unknown = run("correct symplectic-euler --force spring --lang klingon");
   CHECK(unknown.code == 2);
   CHECK(contains(unknown.error, "we write csharp, cpp, gdscript, python, rust, javascript"));
 }
 
 TEST_CASE("long formulas are named in text and in LaTeX, complete with --full, and always complete in JSON") {
   const std::string question = "derive yoshida6 --force spring";
-  const Outcome named = run(question + " --ascii"), full = run(question + " --ascii --full");
+  const CommandRun named = run(question + " --ascii"), full = run(question + " --ascii --full");
   CHECK(longest_line(named.out) < 300);
   CHECK(longest_line(full.out) > 1000);
   const std::string trace = json_of(question)["trace"];
@@ -54,7 +54,7 @@ TEST_CASE("an engine may be asked for with its version, in every command") {
   CHECK(contains(run("derive box2d@2.4.1").out, "box2d-2"));
   for (const char* command : {"jump rapier@0.17 --height 1.7", "derive rapier@0.17", "show rapier@0.17",
                               "stability rapier@0.17", "correct rapier@0.17", "order rapier@0.17"}) {
-    const Outcome o = run(command);
+    const CommandRun o = run(command);
     CHECK(o.code == 2);
     CHECK(contains(o.error, "version 0.17 of Rapier is not known: the catalogue has Rapier 0.21"));
   }
@@ -88,12 +88,12 @@ TEST_CASE("bad input and unstable physics are told in a sentence") {
        "there is no step of rapier with these parameters and dt = 1/60 s"},
   };
   for (const auto& [command, sentence] : refused) {
-    const Outcome o = run(command);
+    const CommandRun o = run(command);
     CAPTURE(command);
     CHECK((o.code == 2 || o.code == 4));
     CHECK(contains(o.error, sentence));
   }
-  const Outcome kit = run("correct symplectic-euler --force spring:k=-4 --dt 1/10");
+  const CommandRun kit = run("correct symplectic-euler --force spring:k=-4 --dt 1/10");
   CHECK(kit.code == 0);
   CHECK(contains(kit.out, "k < 0: unstable physics, the true motion itself runs away"));
   CHECK(contains(run("derive explicit-euler --force spring:k=-1 --dt 1/10 --steps 10 --x0 1").out,

@@ -146,7 +146,7 @@ TEST_CASE(
   const std::string head =
       "integrator mine\n  source nobody\n\nstep\n  v = v + h*a(x, v, t)\n  x = x + h*v\n\nexpect\n";
   f.write("mine.integrator", head + "  order 2\n  symmetric\n  symplectic\n  order 1 if T(p) + V(q)\n");
-  const Outcome shown = f.Folder::run("show mine.integrator");
+  const CommandRun shown = f.Folder::run("show mine.integrator");
   CHECK(shown.code == 1);
   CHECK(contains(shown.out, "order 2: REFUTED, found order 1"));
   CHECK(contains(shown.out, "symmetric: REFUTED, found not symmetric: step and adjoint differ in h^2"));

@@ -9,7 +9,7 @@ namespace {
 
 TEST_CASE("clock --plot draws what is lost and how fast it goes; --kahan and other endings are refused") {
   const Folder folder;
-  const Outcome drawn = folder.run("clock --dt 1/60f --until 24h --plot clock.svg");
+  const CommandRun drawn = folder.run("clock --dt 1/60f --until 24h --plot clock.svg");
   if (drawn.code == 5) {  // gnuplot is not here
     CHECK(contains(drawn.error, "gnuplot"));
   } else {

@@ -24,7 +24,7 @@ std::vector<std::string> files_in(const Folder& folder) {
 
 TEST_CASE("a pipe that is closed early is quiet") {
   const Folder folder;
-  const Outcome o = folder.run("list | head -n 1");
+  const CommandRun o = folder.run("list | head -n 1");
   CHECK(o.code == 0);
   CHECK(o.error.empty());
   CHECK_FALSE(o.out.empty());
@@ -41,7 +41,7 @@ TEST_CASE("a full disk is exit code 5, whatever is written") {
        {"list", "jump --height 1", "derive rk4 --json", "export symplectic-euler --latex", "completion bash",
         "manual", "--version", "--help"}) {
     CAPTURE(command);
-    const Outcome o = run(command + " >/dev/full 2>.error #");
+    const CommandRun o = run(command + " >/dev/full 2>.error #");
     CHECK(o.code == 5);
     CHECK(contains(o.error, "shortfall: "));
   }
@@ -62,7 +62,7 @@ TEST_CASE("a signal ends the work at once, and leaves nothing half-written") {
   const std::string work = "derive generalised-alpha --force poly:150 -o out.txt";
   for (const std::string signal : {"INT", "TERM", "KILL"}) {
     CAPTURE(signal);
-    const Outcome o = folder.run(work, "timeout -s " + signal + " 0.5");
+    const CommandRun o = folder.run(work, "timeout -s " + signal + " 0.5");
     CHECK((o.code == 124 || o.code == 137));
     CHECK(files_in(folder).empty());
   }
@@ -101,7 +101,7 @@ TEST_CASE("what an .integrator or a scene says is never run, opened or asked for
   for (const std::string command :
        {"derive a.integrator", "derive b.integrator", "trade s.toml", "advise s.toml"}) {
     CAPTURE(command);
-    const Outcome o = folder.run(command);
+    const CommandRun o = folder.run(command);
     CHECK(o.code == 3);
     CHECK_FALSE(contains(o.text(), "root:"));
   }
@@ -120,7 +120,7 @@ TEST_CASE("limits of size, depth and length have one sentence each") {
   folder.write("power.integrator", head + "(1 + h*v)^999999999\n");
   for (const std::string name : {"deep", "long", "wide", "digits", "power"}) {
     CAPTURE(name);
-    const Outcome o = folder.run("derive " + name + ".integrator", "timeout 20");
+    const CommandRun o = folder.run("derive " + name + ".integrator", "timeout 20");
     CHECK((o.code == 3 || o.code == 4));
     CHECK(o.error.size() < 2000);
     CHECK(o.out.empty());

@@ -40,11 +40,12 @@ TEST_CASE("trade: all points in JSON and CSV, orders, a front that only falls") 
     CHECK(e < last);
     last = e;
   }
-  const Outcome csv =
+  const CommandRun csv =
       folder.run("trade s.toml --integrators rk4 --formats f64 --repeats 0 --no-peers --csv -o t.csv");
   CHECK(csv.code == 0);
   CHECK(contains(folder.text("t.csv"), "\"rk4, f64\",rk4,f64,0,"));
-  const Outcome text = folder.run("trade s.toml --integrators rk4,symplectic-euler --repeats 0 --no-peers");
+  const CommandRun text =
+      folder.run("trade s.toml --integrators rk4,symplectic-euler --repeats 0 --no-peers");
   CHECK(text.code == 0);
   CHECK(contains(text.out, "* "));
 }
@@ -71,7 +72,7 @@ TEST_CASE("advise: what does not matter is left out, what is advised is good eno
   const double total = j["errors"][0]["total"].get<double>();
   CHECK(std::fabs(total) <= 1e-3);
   CHECK(j["best"]["evaluations"].get<int>() <= j["naive"]["evaluations"].get<int>());
-  const Outcome text = folder.run("advise s.toml --why");
+  const CommandRun text = folder.run("advise s.toml --why");
   CHECK(text.code == 0);
   CHECK(contains(text.out, "leave out breath"));
   CHECK(contains(text.out, "The parts of the error"));
@@ -80,7 +81,8 @@ TEST_CASE("advise: what does not matter is left out, what is advised is good eno
 TEST_CASE("advise --lang: the step that is advised, run as code, ends where the advice says") {
   const Folder folder;
   folder.write("s.toml", kOscillator);
-  const Outcome o = folder.run("advise s.toml --lang python --integrators velocity-verlet,symplectic-euler");
+  const CommandRun o =
+      folder.run("advise s.toml --lang python --integrators velocity-verlet,symplectic-euler");
   REQUIRE(o.code == 0);
   const std::string code = o.out.substr(o.out.find("# "));
   const auto j = json_of(folder, "advise s.toml --integrators velocity-verlet,symplectic-euler");
@@ -113,7 +115,7 @@ TEST_CASE("advise: exit code 1 when nothing meets the tolerances, with what come
   scene.replace(scene.find("tolerance = 2e-3"), 16, "tolerance = 1e-9");
   scene.replace(scene.find("formats = [\"f32\", \"f64\"]"), 24, "formats = [\"f32\"]");
   folder.write("s.toml", scene);
-  const Outcome o = folder.run("advise s.toml");
+  const CommandRun o = folder.run("advise s.toml");
   CHECK(o.code == 1);
   CHECK(contains(o.out, "Closest"));
 }
@@ -130,7 +132,7 @@ TEST_CASE("scenes that cannot be: exit codes and one sentence, at once") {
   CHECK(folder.run("trade key.toml").code == 3);
   CHECK(contains(folder.run("advise key.toml").error, "key.toml:10:1"));
   CHECK(folder.run("trade missing.toml").code == 5);
-  const Outcome singular = folder.run("trade singular.toml");
+  const CommandRun singular = folder.run("trade singular.toml");
   CHECK(singular.code == 4);
   CHECK(contains(singular.error, "singular"));
   CHECK(folder.run("trade s.toml --integrators rk9").code == 2);
@@ -155,7 +157,7 @@ TEST_CASE(
       "0.005ms:50ms:log:16";
   std::int64_t kept = 0;
   for (const char* moment : {"0.3", "0.6", "0.9"}) {
-    const Outcome o = folder.run(asked + " --store s.sqlite", std::string("timeout -s KILL ") + moment);
+    const CommandRun o = folder.run(asked + " --store s.sqlite", std::string("timeout -s KILL ") + moment);
     if (o.code == 0) break;
     CHECK(o.code == 137);
     if (!folder.has("s.sqlite")) continue;
@@ -177,14 +179,15 @@ TEST_CASE("trade on 1, 2 and 4 processes of MPI: the same points give the same b
   const auto alone = json_of(folder, asked);
   for (const char* processes : {"1", "2", "4"}) {
     CAPTURE(processes);
-    const Outcome o = folder.run(asked + " --json --store " + processes + ".sqlite",
-                                 std::string("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '") +
-                                     SHORTFALL_MPIRUN + "' --oversubscribe -n " + processes);
+    const CommandRun o =
+        folder.run(asked + " --json --store " + processes + ".sqlite",
+                   std::string("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '") +
+                       SHORTFALL_MPIRUN + "' --oversubscribe -n " + processes);
     REQUIRE_MESSAGE(o.code == 0, o.error);
     CHECK(nlohmann::json::parse(o.out) == alone);
     CHECK(PointStore(folder.path(std::string(processes) + ".sqlite")).size() == 66);
   }
-  const Outcome wrong = folder.run(
+  const CommandRun wrong = folder.run(
       "trade missing.toml", std::string("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '") +
                                 SHORTFALL_MPIRUN + "' --oversubscribe -n 2");
   CHECK(wrong.code != 0);

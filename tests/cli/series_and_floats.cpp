@@ -64,7 +64,7 @@ TEST_CASE("correct --force general: launch, certificate, exit codes") {
   CHECK(folder.run("correct velocity-verlet --force 'a(x, t)' --order 6").code == 4);
   CHECK(folder.run("correct velocity-verlet --order 4").code == 2);
   CHECK(folder.run("correct velocity-verlet --force general --order 1").code == 2);
-  const Outcome code = folder.run("correct symplectic-euler --force general --lang cpp");
+  const CommandRun code = folder.run("correct symplectic-euler --force general --lang cpp");
   CHECK(code.code == 4);
   CHECK(contains(code.error, "is given as a formula"));
 }
@@ -84,7 +84,7 @@ TEST_CASE("budget, cycle and extremes --json") {
         "budget --height 1 --steps 3", "budget --steps 10 --dt 0", "cycle --most 0",
         "cycle --formats f32+what", "budget --steps 10 --force spring", "budget --height 1 --plot x.gif"}) {
     CAPTURE(wrong);
-    const Outcome o = folder.run(wrong);
+    const CommandRun o = folder.run(wrong);
     CHECK(o.code == 2);
     CHECK(!o.error.empty());
     CHECK(o.out.empty());

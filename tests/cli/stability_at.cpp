@@ -48,14 +48,14 @@ TEST_CASE("where the frame does not matter, giving it changes no limit") {
 
 TEST_CASE("without the frame the answer is a refusal that names --dt; a frame is longer than 0") {
   for (const char* engine : {"godot", "cannon-es"}) {
-    const Outcome o = run("stability " + std::string(engine));
+    const CommandRun o = run("stability " + std::string(engine));
     CHECK(o.code == 4);
     CHECK(contains(o.error, "--dt"));
   }
   CHECK(run("stability godot --dt 0").code == 2);
   CHECK(run("stability godot --dt -1/60").code == 2);
   CHECK(run("stability godot --dt soon").code == 2);
-  const Outcome o = run("stability cannon-es --dt 60Hz");
+  const CommandRun o = run("stability cannon-es --dt 60Hz");
   CHECK(o.code == 0);
   CHECK(contains(o.out, "for dt = 1/60 s"));
   CHECK(contains(o.out, "pow(99/100, 1/60) was rounded to 100 digits"));

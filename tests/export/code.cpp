@@ -108,7 +108,7 @@ std::string replaced(std::string text, const std::string& from, const std::strin
 
 TEST_CASE("C++ compiles without a warning and does bit for bit what the library does in binary32") {
   if (!installed("g++")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text = "#include <cstdio>\n", main = "int main() {\n";
   for (std::size_t k = 0; k < samples().size(); ++k) {
     const std::string space = "jump" + std::to_string(k);
@@ -127,7 +127,7 @@ TEST_CASE("C++ compiles without a warning and does bit for bit what the library 
 
 TEST_CASE("Rust compiles, passes its own tests and does bit for bit what the library does in binary32") {
   if (!installed("rustc")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text, main = "fn main() {\n";
   for (std::size_t k = 0; k < samples().size(); ++k) {
     const std::string space = "jump" + std::to_string(k);
@@ -145,7 +145,7 @@ TEST_CASE("Rust compiles, passes its own tests and does bit for bit what the lib
 
 TEST_CASE("Python runs and agrees with the library") {
   if (!installed("python3")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string main;
   for (std::size_t k = 0; k < samples().size(); ++k) {
     const std::string space = "jump" + std::to_string(k);
@@ -162,7 +162,7 @@ TEST_CASE("Python runs and agrees with the library") {
 
 TEST_CASE("JavaScript runs and agrees with the library") {
   if (!installed("node")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string main;
   for (std::size_t k = 0; k < samples().size(); ++k) {
     const std::string file = "jump" + std::to_string(k) + ".js";
@@ -177,7 +177,7 @@ TEST_CASE("JavaScript runs and agrees with the library") {
 
 TEST_CASE("C# compiles and agrees with the library") {
   if (!installed("mcs") || !installed("mono")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text = "using System;\n", main = "static class Program { static void Main() {\n";
   for (std::size_t k = 0; k < samples().size(); ++k) {
     const std::string space = "Jump" + std::to_string(k);

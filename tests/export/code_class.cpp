@@ -104,7 +104,7 @@ TEST_CASE("nearly all of the catalogue can be written") { CHECK(samples().size()
 
 TEST_CASE("integrators as classes of C++ compile without a warning and have the bits of shortfall") {
   if (!installed("g++")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text = "#include <cstdio>\n#include <functional>\n";
   std::string main =
       "int main() {\n  const auto force = [](float x, float v, float t) { return t - 2.0f * x - 0.25f * v; "
@@ -130,7 +130,7 @@ TEST_CASE("integrators as classes of C++ compile without a warning and have the 
 
 TEST_CASE("integrators as classes of Rust") {
   if (!installed("rustc")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text = "#![allow(dead_code)]\n", main = "fn main() {\n";
   for (std::size_t k = 0; k < samples().size(); ++k) {
     const std::string space = "m" + std::to_string(k);
@@ -148,7 +148,7 @@ TEST_CASE("integrators as classes of Rust") {
 
 TEST_CASE("integrators as classes of C#") {
   if (!installed("mcs") || !installed("mono")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text = "using System;\n", main = "static class Program { static void Main() { float x, v;\n";
   for (const Sample& s : samples()) {
     text += without(code_of(s, Language::csharp), "using System;\n");
@@ -166,7 +166,7 @@ TEST_CASE("integrators as classes of C#") {
 
 TEST_CASE("integrators as classes of Python") {
   if (!installed("python3")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text;
   for (const Sample& s : samples())
     text += code_of(s, Language::python) + "b = " + name_of(s) +
@@ -179,7 +179,7 @@ TEST_CASE("integrators as classes of Python") {
 
 TEST_CASE("integrators as classes of JavaScript") {
   if (!installed("node")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text = "\"use strict\";\n";
   for (const Sample& s : samples())
     text += "{\n" + code_of(s, Language::javascript) + "const b = new " + name_of(s) +
@@ -205,7 +205,7 @@ double of_godot(const std::string& hex) {
 
 TEST_CASE("integrators as classes of GDScript") {
   if (!installed("godot3-server")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string main =
       "extends SceneTree\n\nfunc bits(value: float) -> String:\n\treturn "
       "var2bytes(value).hex_encode()\n\nfunc _init():\n"

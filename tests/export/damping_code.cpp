@@ -89,7 +89,7 @@ void compare(const std::string& output) {
 
 TEST_CASE("exact damping in C++ compiles without a warning and keeps its digits at every c dt") {
   if (!installed("g++")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text = "#include <cstdio>\n" + damping_code(Language::cpp) + "int main() {\n  double x, v;\n";
   for (const Case& c : cases())
     text += "  x = " + digits(c.x) + "; v = " + digits(c.v) + "; damped_move(x, v, " + arguments(c, false) +
@@ -101,7 +101,7 @@ TEST_CASE("exact damping in C++ compiles without a warning and keeps its digits 
 
 TEST_CASE("exact damping in Rust") {
   if (!installed("rustc")) return;
-  const Folder folder;
+  const CodeFolder folder;
   // A literal like 1 is a whole number in Rust; a cast makes a float of either.
   std::string text = damping_code(Language::rust) + "fn main() {\n";
   for (const Case& c : cases())
@@ -115,7 +115,7 @@ TEST_CASE("exact damping in Rust") {
 
 TEST_CASE("exact damping in Python") {
   if (!installed("python3")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text = damping_code(Language::python);
   for (const Case& c : cases()) text += "print(*map(repr, damped_move(" + arguments(c, true) + ")))\n";
   folder.write("damped.py", text);
@@ -124,7 +124,7 @@ TEST_CASE("exact damping in Python") {
 
 TEST_CASE("exact damping in JavaScript") {
   if (!installed("node")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text = "\"use strict\";\n" + damping_code(Language::javascript);
   for (const Case& c : cases()) text += "console.log(...dampedMove(" + arguments(c, true) + "));\n";
   folder.write("damped.js", text);
@@ -133,7 +133,7 @@ TEST_CASE("exact damping in JavaScript") {
 
 TEST_CASE("exact damping in C#") {
   if (!installed("mcs") || !installed("mono")) return;
-  const Folder folder;
+  const CodeFolder folder;
   std::string text =
       "static class Program {\n" + damping_code(Language::csharp) + "static void Main() { double x, v;\n";
   for (const Case& c : cases())

@@ -21,13 +21,13 @@ inline bool installed(const std::string& tool) {
 }
 
 /// A folder that goes away.
-struct Folder {
+struct CodeFolder {
   fs::path path = [] {
     std::string name = (fs::temp_directory_path() / "shortfall-code-XXXXXX").string();
     REQUIRE(::mkdtemp(name.data()) != nullptr);
     return fs::path(name);
   }();
-  ~Folder() { fs::remove_all(path); }
+  ~CodeFolder() { fs::remove_all(path); }
 
   void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
 

@@ -14,7 +14,7 @@
 namespace shortfall {
 namespace {
 
-Outcome script(const std::string& python, const std::string& name, const std::string& arguments) {
+PythonRun script(const std::string& python, const std::string& name, const std::string& arguments) {
   return run("'" + python + "' '" SHORTFALL_SOURCE_DIR "/tests/export/" + name + "' " + arguments);
 }
 
@@ -63,10 +63,10 @@ TEST_CASE("every lesson runs, and its assertions hold, in Jupyter as well") {
   std::string files;
   for (const Lesson& lesson : lessons())
     files += " " + written(folder, lesson.name + ".ipynb", notebook(lesson, LessonFor::teacher));
-  const Outcome plain = script(interpreter, "run_notebook.py", files);
+  const PythonRun plain = script(interpreter, "run_notebook.py", files);
   INFO(plain.output);
   CHECK(plain.code == 0);
-  const Outcome jupyter = script(interpreter, "run_notebook.py", "--jupyter" + files);
+  const PythonRun jupyter = script(interpreter, "run_notebook.py", "--jupyter" + files);
   INFO(jupyter.output);
   if (jupyter.code == 77)
     MESSAGE("nbformat, nbconvert and ipykernel are not installed: lessons were not run in Jupyter");
@@ -84,7 +84,7 @@ TEST_CASE("the pupil's copy holds no answer, and its checks fail until there is 
   for (const Lesson& lesson : lessons()) {
     const std::string teacher = written(folder, "teacher.ipynb", notebook(lesson, LessonFor::teacher));
     const std::string pupil = written(folder, "pupil.ipynb", notebook(lesson, LessonFor::pupil));
-    const Outcome outcome = script(interpreter, "lesson_exercises.py", teacher + " " + pupil);
+    const PythonRun outcome = script(interpreter, "lesson_exercises.py", teacher + " " + pupil);
     INFO(lesson.name, "\n", outcome.output);
     CHECK(outcome.code == 0);
   }
@@ -100,8 +100,8 @@ TEST_CASE("a lesson runs without matplotlib, too") {
   folder.write("matplotlib.py", "raise ImportError('hidden by a test')\n");
   const std::string file =
       written(folder, "falling-short.ipynb", notebook(find_lesson("falling-short"), LessonFor::teacher));
-  const Outcome outcome = run("PYTHONPATH='" + folder.path().string() + "' '" + interpreter +
-                              "' '" SHORTFALL_SOURCE_DIR "/tests/export/run_notebook.py' " + file);
+  const PythonRun outcome = run("PYTHONPATH='" + folder.path().string() + "' '" + interpreter +
+                                "' '" SHORTFALL_SOURCE_DIR "/tests/export/run_notebook.py' " + file);
   INFO(outcome.output);
   CHECK(outcome.code == 0);
 }
@@ -130,7 +130,7 @@ TEST_CASE("a lesson fails when one of its numbers or formulas is wrong") {
     REQUIRE(at != std::string::npos);
     files += " " + written(folder, std::to_string(i) + ".ipynb", text.replace(at, from.size(), to));
   }
-  const Outcome outcome = script(interpreter, "run_notebook.py", files);
+  const PythonRun outcome = script(interpreter, "run_notebook.py", files);
   INFO(outcome.output);
   CHECK(outcome.code == 1);
   CHECK(outcome.output.find("0 notebooks passed, " + std::to_string(mistakes.size()) + " failed") !=
@@ -222,7 +222,7 @@ TEST_CASE("shortfall export writes a lesson into a folder, and no answer over an
   CHECK(read(file) == pupil);
   CHECK(read(folder.path() / "new/lesson/falling-short.md").find("pupil's copy") != std::string::npos);
 
-  const Outcome refused = run(shortfall("export lesson:falling-short -o " + out));
+  const PythonRun refused = run(shortfall("export lesson:falling-short -o " + out));
   CHECK(refused.code == 2);
   CHECK(refused.output.find("is there already") != std::string::npos);
   CHECK(read(file) == pupil);
@@ -234,7 +234,7 @@ TEST_CASE("shortfall export writes a lesson into a folder, and no answer over an
 }
 
 TEST_CASE("an unknown lesson is a mistake of the user, with a suggestion") {
-  const Outcome outcome = run(shortfall("export lesson:faling-short"));
+  const PythonRun outcome = run(shortfall("export lesson:faling-short"));
   CHECK(outcome.code == 2);
   CHECK(outcome.output.find("did you mean 'falling-short'?") != std::string::npos);
   CHECK(run(shortfall("export lesson:")).code == 2);

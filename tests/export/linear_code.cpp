@@ -201,7 +201,7 @@ void compare(const Case& c, const std::string& output) {
 void run_all(Language language, const std::string& file, const std::string& run) {
   for (const Case& c : cases()) {
     CAPTURE(c.integrator);
-    const Folder folder;
+    const CodeFolder folder;
     folder.write(file, program(c, language));
     compare(c, folder.output(run));
   }
@@ -253,7 +253,7 @@ TEST_CASE("where a kit ends the class says that it has no number, and no kit is 
   const std::string text =
       linear_kit_code(kit, linear_derivation(find_integrator("rk4"), force_named("drag")), Language::python);
   if (installed("python3")) {
-    const Folder folder;
+    const CodeFolder folder;
     folder.write("kit.py", text +
                                "print(ExactDrag(5.0, 0.2).given_c == ExactDrag(5.0, 0.2).given_c)\n"
                                "print(ExactDrag(9.0, 0.2).given_c == ExactDrag(9.0, 0.2).given_c)\n");

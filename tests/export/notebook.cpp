@@ -16,7 +16,7 @@ namespace shortfall {
 namespace {
 
 /// Runs notebooks as tests/export/run_notebook.py says.
-Outcome run_notebooks(const std::string& python, const std::string& files) {
+PythonRun run_notebooks(const std::string& python, const std::string& files) {
   return run("'" + python + "' '" SHORTFALL_SOURCE_DIR "/tests/export/run_notebook.py' " + files);
 }
 
@@ -93,7 +93,7 @@ TEST_CASE("every notebook's cells run and their assertions hold") {
   add("substeps-multistep", exported("beeman", 2, {}, 3));
   add("awkward", exported(parse(kAwkward, "awkward.integrator"), 1));
   if (interpreter.empty()) return;
-  const Outcome outcome = run_notebooks(interpreter, "'" + folder.path().string() + "'/*.ipynb");
+  const PythonRun outcome = run_notebooks(interpreter, "'" + folder.path().string() + "'/*.ipynb");
   INFO(outcome.output);
   CHECK(outcome.code == 0);
 }
@@ -126,7 +126,7 @@ TEST_CASE("a notebook fails when one coefficient of its formulas is wrong") {
     files += " '" +
              folder.write("wrong" + std::to_string(number++) + ".ipynb", replaced(right, from, to)).string() +
              "'";
-  const Outcome outcome = run_notebooks(interpreter, files);
+  const PythonRun outcome = run_notebooks(interpreter, files);
   INFO(outcome.output);
   CHECK(outcome.code == 1);
   CHECK(outcome.output.find("\n0 notebooks passed, " + std::to_string(mistakes.size()) + " failed") !=
@@ -141,7 +141,7 @@ TEST_CASE("a notebook is also one for Jupyter") {
   }
   const Scratch folder;
   const fs::path file = folder.write("falling-short.ipynb", exported("symplectic-euler", 0));
-  const Outcome outcome = run_notebooks(interpreter, "--jupyter '" + file.string() + "'");
+  const PythonRun outcome = run_notebooks(interpreter, "--jupyter '" + file.string() + "'");
   INFO(outcome.output);
   if (outcome.code == 77)
     MESSAGE("nbformat, nbconvert and ipykernel are not installed: not run in Jupyter");
@@ -174,7 +174,7 @@ TEST_CASE("shortfall export writes the notebook, and replaces an older one") {
   const std::string file = (folder.path() / "falling-short.ipynb").string();
   folder.write("falling-short.ipynb", "an older one");
   const std::string command = "'" SHORTFALL_BINARY "' export symplectic-euler --force constant";
-  const Outcome outcome = run(command + " --notebook -o '" + file + "'");
+  const PythonRun outcome = run(command + " --notebook -o '" + file + "'");
   CHECK(outcome.code == 0);
   CHECK(outcome.output.empty());
   std::ostringstream written;

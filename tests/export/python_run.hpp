@@ -43,13 +43,13 @@ class Scratch {
   fs::path path_;
 };
 
-struct Outcome {
+struct PythonRun {
   int code = -1;
   std::string output;
 };
 
-inline Outcome run(const std::string& command) {
-  Outcome outcome;
+inline PythonRun run(const std::string& command) {
+  PythonRun outcome;
   std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::array<char, 4096> block;

@@ -16,7 +16,7 @@ namespace shortfall {
 namespace {
 
 /// A log of a map's flight, as a program would write it.
-std::string log_of(const Candidate& c, const Flight& flight, double dt, std::size_t rows, int decimals,
+std::string log_of(const Candidate& c, const EngineFlight& flight, double dt, std::size_t rows, int decimals,
                    bool velocities) {
   std::string text = velocities ? "time,y,vy\n" : "time,y\n";
   std::vector<std::size_t> frames(rows);
@@ -41,8 +41,8 @@ std::string log_of(const Candidate& c, const Flight& flight, double dt, std::siz
   return text;
 }
 
-Flight falling(double launch, double c, Arithmetic arithmetic) {
-  Flight f;
+EngineFlight falling(double launch, double c, Arithmetic arithmetic) {
+  EngineFlight f;
   f.v0 = {0, launch, 0};
   f.gravity = {0, -9.81, 0};
   f.c = c;
@@ -65,7 +65,7 @@ TEST_CASE("a map that was planted is among those that are found, bit by bit, wit
     const double damping = 0.01 * (1 + static_cast<double>(random() % 30));
     const double launch = 2 + 0.001 * static_cast<double>(random() % 5000);
     const Arithmetic arithmetic = random() % 2 == 0 ? Arithmetic::binary32 : Arithmetic::binary64;
-    Flight flight = falling(launch, c.name() == "ode" ? damping / 10 : damping, arithmetic);
+    EngineFlight flight = falling(launch, c.name() == "ode" ? damping / 10 : damping, arithmetic);
     CAPTURE(c.str());
     CAPTURE(damping);
     CAPTURE(launch);

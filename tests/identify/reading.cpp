@@ -63,16 +63,16 @@ TEST_CASE("JSON lines, with lists inside") {
 
 TEST_CASE("how numbers were rounded is seen") {
   CHECK(parse_log("y\n0.0521045662\n0.100285135\n0.144541711\n0.2\n", "log").position_rounding.kind ==
-        Rounding::Kind::binary32);
+        LogRounding::Kind::binary32);
   CHECK(
       parse_log("y\n0.052104566200000001\n0.10028513499999999\n0.14\n0.2\n", "log").position_rounding.kind ==
-      Rounding::Kind::binary64);
-  const Rounding fixed = parse_log("y\n0.0521\n0.1003\n10.1445\n0.2000\n", "log").position_rounding;
-  CHECK(fixed.kind == Rounding::Kind::decimals);
+      LogRounding::Kind::binary64);
+  const LogRounding fixed = parse_log("y\n0.0521\n0.1003\n10.1445\n0.2000\n", "log").position_rounding;
+  CHECK(fixed.kind == LogRounding::Kind::decimals);
   CHECK(fixed.half(7) == doctest::Approx(0.00005));
-  const Rounding printed =
+  const LogRounding printed =
       parse_log("y\n1.23456\n12.3456\n123.457\n0.123456\n1234.57\n", "log").position_rounding;
-  CHECK(printed.kind == Rounding::Kind::significant);
+  CHECK(printed.kind == LogRounding::Kind::significant);
   CHECK(printed.half(123.457) == doctest::Approx(0.0005));
 }
 
