@@ -71,6 +71,7 @@ void add_jump(CLI::App& app, int& code);
 void add_stability(CLI::App& app, int& code);
 void add_order(CLI::App& app, int& code);
 void add_modified(CLI::App& app, int& code);
+void add_portrait(CLI::App& app, int& code);
 void add_audit(CLI::App& app, int& code);
 void add_budget(CLI::App& app, int& code);
 void add_clock(CLI::App& app, int& code);

@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
   add_stability(app, code);
   add_order(app, code);
   add_modified(app, code);
+  add_portrait(app, code);
   add_audit(app, code);
   add_budget(app, code);
   add_clock(app, code);

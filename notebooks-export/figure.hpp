@@ -55,6 +55,7 @@ struct Figure {
   struct Mark {
     Point at;
     Ink ink = Ink::black;
+    double size = 1.1;
   };
   struct Panel {
     std::string title;

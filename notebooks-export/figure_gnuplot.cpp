@@ -70,8 +70,8 @@ class PanelWriter {
     for (const Figure::Region& r : panel.regions) add_region(r);
     for (const Figure::Curve& c : panel.curves) add_curve(c);
     for (const Figure::Mark& m : panel.marks)
-      plots_.push_back(block({{m.at}}) + " using 1:2 with points pt 7 ps 1.1 lc rgb " + rgb(colour(m.ink)) +
-                       " notitle");
+      plots_.push_back(block({{m.at}}) + " using 1:2 with points pt 7 ps " + number_text(m.size) +
+                       " lc rgb " + rgb(colour(m.ink)) + " notitle");
   }
 
   const std::string& data() const { return data_; }

@@ -220,6 +220,13 @@ std::optional<SmoothTape> energy_tape(const Scene& scene, const ForceChoice& cho
   return recorder.finish({energy.node});
 }
 
+SmoothTape potential_tape(const Expr& potential, int derivatives) {
+  TapeRecorder recorder(3);
+  std::vector<int> nodes{ExpressionTracer(recorder, 1, 1, 0)(potential)};
+  for (int k = 0; k < derivatives; ++k) nodes.push_back(recorder.gradient(nodes.back())[0]);
+  return recorder.finish(nodes);
+}
+
 template <class S>
 TapeValues<S>::TapeValues(SmoothTape tape) : tape_(std::move(tape)), values_(tape_.nodes.size()) {
   for (std::size_t i = 0; i < tape_.nodes.size(); ++i)

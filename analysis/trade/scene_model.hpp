@@ -26,6 +26,11 @@ SmoothTape acceleration_tape(const Scene& scene, const ForceChoice& chosen = {})
 std::optional<SmoothTape> energy_tape(const Scene& scene, const ForceChoice& chosen = {},
                                       std::string* why = nullptr);
 
+/// A potential V(x) and its derivatives up to so many primes: inputs x, v, t; outputs V, V', V'', ....
+///
+/// throws  Undefined  when the expression divides by zero;  Unable  for a function that has no tape
+SmoothTape potential_tape(const Expr& potential, int derivatives);
+
 /// A tape run in plain numbers: for expressions, and for energies.
 template <class S>
 class TapeValues {

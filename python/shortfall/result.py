@@ -44,10 +44,10 @@ class Record(Mapping[str, Any]):
     >>> r = Record({"limit": 2})
     >>> r.limit, r["limit"], list(r)
     (2, 2, ['limit'])
-    >>> r.limits
+    >>> r.limits  # doctest: +ELLIPSIS
     Traceback (most recent call last):
     ...
-    AttributeError: there is no 'limits' here; there are: limit
+    AttributeError: there is no 'limits' here; there are: limit...
     """
 
     def __init__(self, members: Dict[str, Any]):
