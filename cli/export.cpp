@@ -19,6 +19,8 @@
 #include "cli/output_folder.hpp"
 #include "notebooks-export/code.hpp"
 #include "notebooks-export/code_kit.hpp"
+#include "notebooks-export/figure_gnuplot.hpp"
+#include "notebooks-export/figure_jump.hpp"
 #include "notebooks-export/latex_text.hpp"
 #include "notebooks-export/notebook.hpp"
 #include "notebooks-export/page.hpp"
@@ -96,6 +98,28 @@ std::string figure(const Program& program, const Values& given, const Derivation
   }
 }
 
+/// The jump that the notebook is about, drawn; nothing where there is none, or no gnuplot.
+std::string jump_picture(const Question& q, const Derivation& d) {
+  if (d.degree > 0) return {};
+  if (!gnuplot_is_here()) {
+    say("shortfall: the notebook's picture is there once its cell is run: gnuplot, which draws it before, is "
+        "not "
+        "installed (on Debian: gnuplot-nox)");
+    return {};
+  }
+  try {
+    std::vector<Flight> flights;
+    flights.emplace_back(q.program(), Rational(1, 50), q.substeps(), q.values());
+    return image(jump_figure(flights, Rational(2, 5), Rational(981, 100)), ImageFormat::png);
+  } catch (const Undefined&) {
+    return {};
+  } catch (const Unable&) {
+    return {};
+  } catch (const ProgramError& e) {
+    throw OutputError(e.what());
+  }
+}
+
 std::string command_line(const Question& q, const Derivation& d) {
   std::string text = "shortfall export " + d.integrator + " --force " +
                      (d.degree == 0 ? "constant" : "poly:" + std::to_string(d.degree));
@@ -128,7 +152,7 @@ int export_derivation(const Question& q, const Wanted& wanted) {
   const std::string name = file_name(program.name);
 
   std::map<std::string, std::string> files;
-  if (wanted.notebook) files[name + ".ipynb"] = notebook(program, values, d, kit);
+  if (wanted.notebook) files[name + ".ipynb"] = notebook(program, values, d, kit, jump_picture(q, d));
   if (q.latex) files[name + ".tex"] = as_latex(d, &kit);
   std::vector<std::pair<std::string, std::string>> shown;
   for (const Language language : wanted.html&& asked.empty() ? languages("all") : asked)
@@ -177,7 +201,7 @@ void add_export(CLI::App& app, int& code) {
                     "a Jupyter notebook; its cells need Python 3 and nothing else");
   command->add_flag("--html", wanted->html,
                     "a page that needs nothing beside itself, with a figure to explore");
-  command->add_flag("--latex", q->latex, "LaTeX (amsmath)");
+  command->add_flag("--latex", q->latex, "LaTeX (amsmath, booktabs)");
   command
       ->add_option("--code", wanted->code,
                    "the correction in csharp, cpp, gdscript, python, rust, javascript, or all, into a folder")

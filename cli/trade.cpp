@@ -21,6 +21,7 @@ namespace {
 struct TradeOptions {
   std::string scene, integrators, formats, steps, until, plot, html, store, output;
   int repeats = 10;
+  int at_once = 0;
   bool no_peers = false, no_launches = false, json = false, csv = false;
 };
 
@@ -33,6 +34,9 @@ int trade_on(const Machines& machines, const TradeOptions& o) {
   question.formats = words_of(o.formats);
   question.repeats = o.repeats;
   question.peers = !o.no_peers;
+  question.at_once = o.at_once;
+  if (o.at_once > 0 && o.repeats == 0)
+    throw BadInput("--lanes asks what a motion costs in company, and --repeats 0 measures no times");
   question.launches = !o.no_launches;
   if (!o.steps.empty())
     for (const Rational& h : sweep(o.steps, Unit::time, "--dt"))
@@ -44,6 +48,7 @@ int trade_on(const Machines& machines, const TradeOptions& o) {
   if (!machines.speaks()) {  // times mean something only where nothing else runs
     question.repeats = 0;
     question.peers = false;
+    question.at_once = 0;
   }
   std::optional<PointStore> store;
   if (!o.store.empty()) question.store = &store.emplace(o.store);
@@ -93,6 +98,12 @@ void add_trade(CLI::App& app, int& code) {
   command->add_option("--repeats", o->repeats, "of each time measurement; 0: count evaluations only")
       ->type_name("N")
       ->check(CLI::Range(0, 1000));
+  command
+      ->add_option(
+          "--lanes", o->at_once,
+          "also the time of one motion among N that are stepped side by side, for scenes of one coordinate")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
   command->add_flag("--no-peers", o->no_peers, "leave out the steppers of GSL and Boost.odeint");
   command->add_flag("--no-launches", o->no_launches, "leave out integrators with launch and read-out");
   command->add_flag("--json", o->json, "as JSON");

@@ -100,8 +100,9 @@ Figure::Panel panel(const Trade& trade, std::size_t observable) {
     const auto known = std::ranges::find(families, family);
     const auto ink = static_cast<std::size_t>(known - families.begin());
     if (known == families.end() && !is_peer) families.push_back(family);
-    Figure::Curve curve{
-        {}, is_peer ? Ink::grey : kInks[ink % kInks.size()], s.launched ? 3.0 : 1.8, s.format == "f32"};
+    // Side by side: the same colour, thinner.
+    const double width = s.launched ? 3.0 : s.at_once > 0 ? 1.0 : 1.8;
+    Figure::Curve curve{{}, is_peer ? Ink::grey : kInks[ink % kInks.size()], width, s.format == "f32"};
     Figure::Path path;
     for (const SceneOutcome& point : s.points) {
       const double error = point.failed ? 0 : std::fabs(point.errors[observable]);
@@ -118,9 +119,11 @@ Figure::Panel panel(const Trade& trade, std::size_t observable) {
     // In the same colour a dashed line is known by the whole one.
     const bool has_whole_line =
         s.format == "f32" && std::ranges::any_of(trade.series, [&](const TradeSeries& other) {
-          return other.integrator == s.integrator && other.launched == s.launched && other.format == "f64";
+          return other.integrator == s.integrator && other.launched == s.launched &&
+                 other.at_once == s.at_once && other.format == "f64";
         });
-    if (!has_whole_line) labels.push_back({{end.x * 1.15, end.y}, family, curve.ink, Figure::Align::left, 0});
+    const std::string name = s.at_once > 0 ? family + ", many" : family;
+    if (!has_whole_line) labels.push_back({{end.x * 1.15, end.y}, name, curve.ink, Figure::Align::left, 0});
     p.curves.push_back(std::move(curve));
   }
   for (const TradePlace& place : pareto_front(trade, observable)) {

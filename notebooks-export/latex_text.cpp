@@ -33,6 +33,24 @@ std::string option_text(const CorrectionOption& o) {
   return text;
 }
 
+/// A row for each thing to add; a formula that no column holds stands in its paragraph only.
+std::string overview(const CorrectionKit& kit) {
+  std::string text =
+      "\n\\begin{center}\n\\begin{tabular}{llll}\n\\toprule\ncorrection & kind & added to & what is added "
+      "\\\\\n\\midrule\n";
+  for (const CorrectionOption& o : kit.options) {
+    if (!o.exists) {
+      text += latex_escaped(o.name) + " & \\multicolumn{3}{l}{does not exist} \\\\\n";
+      continue;
+    }
+    for (const Correction& c : o.corrections)
+      text += (&c == &o.corrections.front() ? latex_escaped(o.name) : "") + " & " + kind_name(c.kind) +
+              " & $" + print(name(c.target), Style::latex) + "$ & " +
+              (is_long(c.add) ? "see below" : "$" + print(c.add, Style::latex) + "$") + " \\\\\n";
+  }
+  return text + "\\bottomrule\n\\end{tabular}\n\\end{center}\n";
+}
+
 }  // namespace
 
 std::string latex_escaped(const std::string& text) {
@@ -65,7 +83,8 @@ std::string latex_escaped(const std::string& text) {
 
 std::string as_latex(const Derivation& d, const CorrectionKit* kit) {
   std::string text = "% " + d.integrator + ", force of degree " + std::to_string(d.degree) +
-                     " in t. Needs amsmath. Written by shortfall; what it prints is yours.\n";
+                     " in t. Needs amsmath" + (kit && kit->needed ? " and booktabs" : "") +
+                     ". Written by shortfall; what it prints is yours.\n";
   text += "The shortfall, exact minus computed, of " + latex_escaped(d.integrator) + " under " +
           force_words(d) + " after $n$ steps of length $h$, at $t = n h$, and its derivation" +
           (d.proved() ? ", each line of which was proved" : "") + ":\n";
@@ -77,6 +96,7 @@ std::string as_latex(const Derivation& d, const CorrectionKit* kit) {
             display(s.left, s.right);
   if (!kit) return text;
   if (!kit->needed) return text + "\nNothing to correct: position and velocity are exact.\n";
+  text += overview(*kit);
   for (const CorrectionOption& o : kit->options) text += option_text(o);
   return text;
 }

@@ -9,7 +9,7 @@
 namespace shortfall {
 
 /// A derivation as LaTeX (amsmath) for the middle of a document: the shortfall, the lines with their reasons,
-/// the corrections.
+/// the corrections, first as a table (booktabs).
 std::string as_latex(const Derivation& derivation, const CorrectionKit* kit);
 
 /// Text that LaTeX sets as it stands.

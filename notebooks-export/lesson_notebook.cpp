@@ -3,7 +3,9 @@
 #include <sstream>
 
 #include "analysis/algebra/error.hpp"
+#include "notebooks-export/base64.hpp"
 #include "notebooks-export/lesson.hpp"
+#include "notebooks-export/lesson_data.hpp"
 #include "notebooks-export/lesson_value.hpp"
 #include "notebooks-export/notebook_document.hpp"
 
@@ -57,6 +59,13 @@ std::string without_answer(const std::string& source, bool is_code) {
   return text;
 }
 
+/// What the cell that draws showed when the lesson was last drawn (`./dev pictures`).
+std::string drawn(const std::string& lesson, int number) {
+  const auto& pictures = lesson_pictures();
+  const auto found = pictures.find(lesson + "-" + std::to_string(number) + ".png");
+  return found == pictures.end() ? std::string() : from_hexadecimal(found->second);
+}
+
 const char* word(Kind kind) {
   switch (kind) {
     case Kind::solution:
@@ -76,10 +85,13 @@ const char* word(Kind kind) {
 
 std::string notebook(const Lesson& lesson, LessonFor reader) {
   NotebookDocument document;
+  int drawing = 0;
   for (const LessonCell& cell : lesson.cells) {
     const bool is_code = cell.kind != Kind::text && cell.kind != Kind::answer;
     const std::string what = cell.name.empty() ? word(cell.kind) : word(cell.kind) + ("-" + cell.name);
     NotebookCell made{is_code, what, substituted(lesson, cell), cell.slide};
+    if (cell.kind == Kind::code && cell.source.find("plt.show()") != std::string::npos)
+      made.picture = drawn(lesson.name, ++drawing);
     if (!cell.name.empty())
       made.graded = GradedCell{what, cell.kind != Kind::check, cell.kind != Kind::solution, cell.points};
     if (made.graded && made.graded->solution && reader == LessonFor::pupil)

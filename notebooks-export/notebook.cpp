@@ -260,11 +260,12 @@ void tell_proof(Lecture& l) {
 }
 
 std::string notebook(const Program& program, const Values& given, const Derivation& d,
-                     const CorrectionKit& kit) {
+                     const CorrectionKit& kit, const std::string& jump_picture) {
   if (d.degree > kHighestNotebookDegree)
     throw Unable("a notebook is written for forces of degree up to " +
                  std::to_string(kHighestNotebookDegree) + ", not " + std::to_string(d.degree));
   Lecture lecture(program, given, d, kit);
+  lecture.jump_picture = jump_picture;
   tell_title(lecture);
   tell_integrator(lecture);
   tell_problem(lecture);

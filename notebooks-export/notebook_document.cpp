@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "analysis/program/print.hpp"
+#include "notebooks-export/base64.hpp"
 #include "notebooks-export/python_expression.hpp"
 
 namespace shortfall {
@@ -159,6 +160,16 @@ Json metadata(const NotebookCell& cell) {
   return json;
 }
 
+Json outputs(const NotebookCell& cell) {
+  Json list = Json::array();
+  if (!cell.picture.empty())
+    list.push_back(
+        {{"data", {{"image/png", base64(cell.picture)}, {"text/plain", Json::array({"<a picture>"})}}},
+         {"metadata", Json::object()},
+         {"output_type", "display_data"}});
+  return list;
+}
+
 }  // namespace
 
 std::string NotebookDocument::json() const {
@@ -171,7 +182,7 @@ std::string NotebookDocument::json() const {
     if (cell.is_code) json["execution_count"] = nullptr;
     json["id"] = id.substr(0, 64);
     json["metadata"] = metadata(cell);
-    if (cell.is_code) json["outputs"] = Json::array();
+    if (cell.is_code) json["outputs"] = outputs(cell);
     json["source"] = lines(cell.source);
     cells.push_back(std::move(json));
   }

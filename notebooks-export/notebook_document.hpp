@@ -27,6 +27,7 @@ struct NotebookCell {
   std::string source;
   std::string slide = {};  ///< how it is shown as slides: slide, subslide, fragment, notes, skip; or empty
   std::optional<GradedCell> graded = {};
+  std::string picture = {};  ///< a PNG that running the code would show; so it is seen without
 };
 
 /// A Jupyter notebook (format 4.5) as it grows: cells of text and of Python code.
@@ -36,7 +37,10 @@ class NotebookDocument {
  public:
   /// param   what  a short word for the cell's id: letters, digits, hyphens
   void text(const std::string& what, const std::string& markdown) { add({false, what, markdown}); }
-  void code(const std::string& what, const std::string& python) { add({true, what, python}); }
+  /// param   picture  see NotebookCell
+  void code(const std::string& what, const std::string& python, const std::string& picture = {}) {
+    add({true, what, python, {}, {}, picture});
+  }
   void add(NotebookCell cell) { cells_.push_back(std::move(cell)); }
 
   /// The file.

@@ -169,9 +169,9 @@ void tell_jump(Lecture& l) {
     print(f"A jump to {rounded(height, 2)} m: frame {n} is the highest, short by {short} cm.")
 )py");
   if (!l.is_exact()) tell_corrected(l, jumps);
-  l.document.text(
-      "picture",
-      "A picture of the jump to 40 cm, where matplotlib is installed. It is not needed for any claim.");
+  l.document.text("picture",
+                  "A picture of the jump to 40 cm; run, the cell draws it anew where matplotlib is "
+                  "installed. No claim needs it.");
   const CorrectionOption* best = l.kit.best();
   std::string code = R"py(try:
     import matplotlib.pyplot as plt
@@ -203,7 +203,7 @@ else:
     axes.legend()
     plt.show()
 )py";
-  l.document.code("picture", code);
+  l.document.code("picture", code, l.jump_picture);
 }
 
 }  // namespace shortfall

@@ -24,6 +24,7 @@ class Lecture {
   const CorrectionKit& kit;
   PythonStep step;
   NotebookDocument document;
+  std::string jump_picture = {};  ///< a PNG of the jump to 40 cm, or empty
 
   int first;    ///< the frame from which on the closed form holds
   int last;     ///< the last frame that cells compare: enough of them to prove a recurrence

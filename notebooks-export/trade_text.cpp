@@ -171,6 +171,7 @@ nlohmann::ordered_json as_json(const Trade& trade) {
   for (const TradeSeries& s : trade.series) {
     nlohmann::ordered_json series{
         {"label", s.label}, {"integrator", s.integrator}, {"format", s.format}, {"launched", s.launched}};
+    if (s.at_once > 0) series["at_once"] = s.at_once;
     for (const auto& o : s.orders)
       series["orders"].push_back(o ? nlohmann::ordered_json{{"order", o->order},
                                                             {"longest_step", o->longest},

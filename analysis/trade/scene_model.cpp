@@ -9,6 +9,7 @@
 #include "analysis/floating/double_double.hpp"
 #include "analysis/program/function.hpp"
 #include "analysis/trade/rounded_number.hpp"
+#include "analysis/trade/tape_lanes.hpp"
 #include "analysis/trade/tape_run.hpp"
 
 namespace shortfall {
@@ -240,6 +241,19 @@ void TapeValues<S>::operator()(const S* x, const S* v, const S& t, int m, S* out
 }
 
 template <class S>
+void TapeValues<S>::lanes(const S* x, const S* v, const S& t, S* out) {
+  if constexpr (std::is_floating_point_v<S>) {
+    if (rows_.empty()) {
+      rows_.resize(values_.size() * kTapeLanes);
+      for (std::size_t i = 0; i < rows_.size(); ++i) rows_[i] = values_[i / kTapeLanes];
+    }
+    run_tape_lanes(tape_, x, v, t, rows_.data(), out);
+  } else {
+    throw Error("tapes have lanes in binary32 and binary64");
+  }
+}
+
+template <class S>
 SceneAcceleration<S>::SceneAcceleration(const Scene& scene, const ForceChoice& chosen)
     : m_(scene.coordinates()), kept_(static_cast<std::size_t>(m_)), extra_(static_cast<std::size_t>(m_)) {
   const std::function<S(const Rational&)> number = rounded_number<S>;
@@ -280,6 +294,28 @@ void SceneAcceleration<S>::operator()(const S* x, const S* v, const S& t, S* a) 
   else
     for (int c = 0; c < m_; ++c) a[c] = kept_[static_cast<std::size_t>(c)];
   add(free_, x, v, t, a);
+}
+
+template <class S>
+void SceneAcceleration<S>::many(const S* x, const S* v, const S& t, S* a, std::size_t count) {
+  for (std::size_t l = 0; l < count; ++l) a[l] = S(0);
+  for (const int i : free_) {
+    const int tape = tape_of_[static_cast<std::size_t>(i)];
+    std::size_t l = 0;
+    if (tape >= 0)
+      for (S push[kTapeLanes]; l + kTapeLanes <= count; l += kTapeLanes) {
+        tapes_[static_cast<std::size_t>(tape)].lanes(x + l, v + l, t, push);
+        for (std::size_t k = 0; k < kTapeLanes; ++k) a[l + k] = a[l + k] + push[k];
+      }
+    for (; l < count; ++l) {
+      if (tape < 0) {
+        terms_[static_cast<std::size_t>(i)].add(x + l, v + l, t, a + l);
+        continue;
+      }
+      tapes_[static_cast<std::size_t>(tape)](x + l, v + l, t, 1, extra_.data());
+      a[l] = a[l] + extra_[0];
+    }
+  }
 }
 
 template class TapeValues<float>;

@@ -39,10 +39,13 @@ class TapeValues {
   int outputs() const { return static_cast<int>(tape_.outputs.size()); }
   /// param  x, v  m numbers each;  out  one number for each output
   void operator()(const S* x, const S* v, const S& t, int m, S* out);
+  /// One coordinate, one output, kTapeLanes trajectories: the same, number by number. S is float or double.
+  void lanes(const S* x, const S* v, const S& t, S* out);
 
  private:
   SmoothTape tape_;
   std::vector<S> values_;
+  std::vector<S> rows_;  ///< of `lanes`
 };
 
 /// The accelerations of a scene in plain numbers: the terms of the library natively, expressions by their
@@ -56,6 +59,9 @@ class SceneAcceleration {
   void begin_frame(const S* x, const S* v, const S& t);
   bool holds() const { return !held_.empty(); }
   void operator()(const S* x, const S* v, const S& t, S* a);
+  /// Of `count` motions of one coordinate, without forces that are held: the same, number by number. S is
+  /// float or double.
+  void many(const S* x, const S* v, const S& t, S* a, std::size_t count);
 
  private:
   void add(const std::vector<int>& which, const S* x, const S* v, const S& t, S* a);

@@ -11,13 +11,15 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/floating/float_format.hpp"
 #include "analysis/program/catalogue.hpp"
+#include "analysis/trade/scene_lanes.hpp"
 
 namespace shortfall {
 
 namespace {
 
 constexpr std::int64_t kMostFrames = 4'000'000;
-constexpr double kMostMeasured = 2e8;  ///< nanoseconds of one measurement
+constexpr double kMostMeasured = 2e8;                 ///< nanoseconds of one measurement
+constexpr std::int64_t kMostStepsAtOnce = 4'000'000;  ///< of all motions of one measurement
 
 std::vector<Rational> usual_steps(const Scene& scene, const DoubleDouble& end) {
   std::vector<Rational> steps;
@@ -40,6 +42,7 @@ std::vector<std::string> usual_integrators(const Scene& scene) {
 struct Timing {
   SceneOutcome* outcome;
   std::function<void()> once;
+  double scenes = 1;  ///< how many of them `once` does
 };
 
 /// Each in turn, again and again, so that what else the machine does hits all alike; the least counts.
@@ -48,13 +51,45 @@ void measure(std::vector<Timing>& timings, int repeats, const Progress& progress
   for (int r = 0; r < repeats; ++r)
     for (int i = 0; i < all; ++i) {
       if (progress && i % 16 == 0) progress("measuring times", r * all + i, repeats * all);
-      double& best = timings[static_cast<std::size_t>(i)].outcome->nanoseconds;
-      if (r > 1 && best > kMostMeasured) continue;
+      const Timing& timing = timings[static_cast<std::size_t>(i)];
+      double& best = timing.outcome->nanoseconds;
+      if (r > 1 && best * timing.scenes > kMostMeasured) continue;
       // Short runs are repeated within a measurement: a clock has its own grain.
-      const double one =
-          nanoseconds_of(timings[static_cast<std::size_t>(i)].once, best > 0 && best < 2e4 ? 10 : 1);
+      const bool is_short = best > 0 && best * timing.scenes < 2e4;
+      const double one = nanoseconds_of(timing.once, is_short ? 10 : 1) / timing.scenes;
       if (best == 0 || one < best) best = one;
     }
+}
+
+/// Series that can be stepped side by side, once more as such: the same errors, other times.
+void add_lanes(Trade& trade, int count) {
+  const std::size_t alone = trade.series.size();
+  for (std::size_t i = 0; i < alone; ++i) {
+    if (trade.series[i].launched) continue;
+    TradeSeries many = trade.series[i];
+    many.label += ", " + std::to_string(count) + " at once";
+    many.at_once = count;
+    if (const auto why = why_no_lanes(trade.scene, many.points[0].choice))
+      trade.refused.emplace_back(many.label, *why);
+    else
+      trade.series.push_back(std::move(many));
+  }
+}
+
+/// Runs of the scene, or of enough of it to be measured where it is done many times at once.
+Timing timing_of(const Trade& trade, const TradeSeries& series, SceneOutcome& o) {
+  const std::int64_t frames = frames_to(trade.reference.end, o.choice.frame);
+  o.nanoseconds = 0;
+  if (series.at_once == 0) {
+    const auto stepping = std::make_shared<SceneStepping>(trade.scene, o.choice);
+    return {&o, [stepping, frames] { stepping->run(frames); }};
+  }
+  const auto lanes = std::make_shared<SceneLanes>(trade.scene, o.choice, series.at_once);
+  const std::int64_t of_one =
+      std::max<std::int64_t>(1, kMostStepsAtOnce / series.at_once / o.choice.substeps);
+  const std::int64_t done = std::min(frames, of_one);
+  return {&o, [lanes, done] { lanes->run(done); },
+          series.at_once * static_cast<double>(done) / static_cast<double>(frames)};
 }
 
 /// What finds it again: its name, or the path of its file.
@@ -131,7 +166,7 @@ std::vector<TradePlace> pareto_front(const Trade& trade, std::size_t observable)
   std::vector<TradePlace> all;
   for (std::size_t s = 0; s < trade.series.size(); ++s)
     for (std::size_t p = 0; p < trade.series[s].points.size(); ++p)
-      if (!trade.series[s].points[p].failed) all.push_back({s, p});
+      if (!trade.series[s].points[p].failed && trade.series[s].at_once == 0) all.push_back({s, p});
   const auto at = [&](const TradePlace& p) -> const SceneOutcome& {
     return trade.series[p.series].points[p.point];
   };
@@ -152,7 +187,7 @@ std::optional<TradePlace> cheapest(const Trade& trade) {
   for (std::size_t s = 0; s < trade.series.size(); ++s)
     for (std::size_t p = 0; p < trade.series[s].points.size(); ++p) {
       const SceneOutcome& o = trade.series[s].points[p];
-      if (!o.meets(trade.scene)) continue;
+      if (!o.meets(trade.scene) || trade.series[s].at_once > 0) continue;
       if (best && cost(trade, o) >= least) continue;
       best = TradePlace{s, p};
       least = cost(trade, o);
@@ -219,15 +254,11 @@ Trade trade(const Scene& scene, const TradeQuestion& question, const Progress& p
   if (result.series.empty())
     throw Unable("none of these can step the scene: " +
                  (result.refused.empty() ? std::string() : result.refused[0].second));
+  if (question.at_once > 0) add_lanes(result, question.at_once);
   std::vector<Timing> timings;
   for (TradeSeries& s : result.series)
-    for (SceneOutcome& o : s.points) {
-      if (o.failed) continue;
-      const auto stepping = std::make_shared<SceneStepping>(scene, o.choice);
-      const std::int64_t frames = frames_to(result.reference.end, o.choice.frame);
-      o.nanoseconds = 0;
-      timings.push_back({&o, [stepping, frames] { stepping->run(frames); }});
-    }
+    for (SceneOutcome& o : s.points)
+      if (!o.failed) timings.push_back(timing_of(result, s, o));
   std::vector<PeerSeries> peers;
   if (question.peers) peers = peer_series(scene, result.reference, steps);
   for (PeerSeries& p : peers)
@@ -236,7 +267,8 @@ Trade trade(const Scene& scene, const TradeQuestion& question, const Progress& p
   measure(timings, question.repeats, progress);
   if (question.store && result.timed)
     for (const TradeSeries& s : result.series)
-      for (const SceneOutcome& o : s.points) question.store->put(point_key(scene, o.choice), o);
+      if (s.at_once == 0)
+        for (const SceneOutcome& o : s.points) question.store->put(point_key(scene, o.choice), o);
   for (PeerSeries& p : peers) result.series.push_back(std::move(p.series));
 
   for (std::size_t i = 0; i < scene.observables.size(); ++i) {

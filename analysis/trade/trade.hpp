@@ -29,6 +29,7 @@ struct TradeQuestion {
   RunPoints run_points = run_points_in_threads;
   PointStore* store = nullptr;  ///< where points are kept as they come, and looked up first
   bool peers = true;            ///< GSL's and Boost.odeint's steppers beside ours
+  int at_once = 0;              ///< so many motions side by side as series of their own; 0: none
 };
 
 /// One way of stepping with all its steps, from the longest to the shortest.
@@ -38,6 +39,7 @@ struct TradeSeries {
   std::string format;
   bool launched = false;
   std::vector<SceneOutcome> points;
+  int at_once = 0;  ///< so many motions side by side; the times are those of one of them; 0: one alone
   /// For each observable: the observed order, and the steps between which it holds.
   struct Order {
     double order = 0;
@@ -74,7 +76,7 @@ Trade trade(const Scene& scene, const TradeQuestion& question, const Progress& p
 /// Those points that no other one beats in cost (nanoseconds when measured, force evaluations otherwise) and
 /// in the error of an observable, from cheap to precise.
 std::vector<TradePlace> pareto_front(const Trade& trade, std::size_t observable);
-/// The cheapest point that meets all tolerances.
+/// The cheapest point that meets all tolerances. Neither counts motions that are only cheap in company.
 std::optional<TradePlace> cheapest(const Trade& trade);
 double cost(const Trade& trade, const SceneOutcome& outcome);
 

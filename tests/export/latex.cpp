@@ -25,7 +25,11 @@ TEST_CASE("the derivations of the whole catalogue compile as LaTeX, in one docum
     MESSAGE("skipped: pdflatex is not installed");
     return;
   }
-  std::string document = "\\documentclass{article}\n\\usepackage{amsmath}\n\\begin{document}\n";
+  std::string document =
+      "\\documentclass{article}\n\\usepackage{amsmath}\n"
+      // Where booktabs is not installed, its rules are plain lines.
+      "\\IfFileExists{booktabs.sty}{\\usepackage{booktabs}}"
+      "{\\let\\toprule\\hline\\let\\midrule\\hline\\let\\bottomrule\\hline}\n\\begin{document}\n";
   int count = 0;
   for (const Program& program : catalogue())
     for (const int degree : {0, 1, 3}) try {
@@ -39,6 +43,7 @@ TEST_CASE("the derivations of the whole catalogue compile as LaTeX, in one docum
         continue;
       }
   CHECK(count > 100);
+  CHECK(document.find("launch & launch & $v_{0}$ & $-\\frac{1}{2} \\, a \\, h$ \\\\\n") != std::string::npos);
   const Folder folder;
   folder.write("all.tex", document + "\\end{document}\n");
   const int status =

@@ -146,6 +146,30 @@ TEST_CASE("the same lesson gives the same bytes, and no substitution is left in 
     }
 }
 
+TEST_CASE("every cell that draws shows its picture before it is run, to teachers and to pupils") {
+  int drawn = 0;
+  for (const Lesson& lesson : lessons())
+    for (const LessonFor reader : {LessonFor::teacher, LessonFor::pupil}) {
+      CAPTURE(lesson.name);
+      const auto file = nlohmann::json::parse(notebook(lesson, reader));
+      for (const auto& cell : file["cells"]) {
+        std::string source;
+        for (const auto& line : cell["source"]) source += line.get<std::string>();
+        const bool draws = cell["cell_type"] == "code" && source.find("plt.show()") != std::string::npos;
+        if (!draws) {
+          CHECK((!cell.contains("outputs") || cell["outputs"].empty()));
+          continue;
+        }
+        ++drawn;
+        REQUIRE(cell["outputs"].size() == 1);
+        const std::string png = cell["outputs"][0]["data"]["image/png"];
+        CHECK(png.starts_with("iVBORw0KGgo"));  // a PNG's first eight bytes
+        CHECK(png.size() > 5000);
+      }
+    }
+  CHECK(drawn >= 16);
+}
+
 TEST_CASE("graded cells carry what nbgrader asks for, and slides what Jupyter asks for") {
   const auto file = nlohmann::json::parse(notebook(find_lesson("falling-short"), LessonFor::pupil));
   std::set<std::string> ids;
