@@ -83,7 +83,8 @@ int export_lesson(const std::string& word, const std::string& output, const Less
     write_output(options.json ? as_json() : as_text(), output);
     return kDone;
   }
-  const Lesson& lesson = find_lesson(word.substr(std::string(kPrefix).size()));
+  const std::string wanted = word.substr(std::string(kPrefix).size());
+  const Lesson& lesson = find_lesson(wanted);
   const LessonFor reader = options.exercise ? LessonFor::pupil : LessonFor::teacher;
   const std::string text = notebook(lesson, reader);
   if (output.empty()) {

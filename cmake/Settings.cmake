@@ -22,8 +22,8 @@ set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-Og -g1 -fno-omit-frame-pointer")
 # One operation, one rounding: a fused multiply-add would change the trajectories that we make statements about.
 add_compile_options(-Wall -Wextra -Wpedantic -ffp-contract=off)
 
-# False alarms of g++ 12 inside its own standard library.
-if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13)
+# False alarms of g++ 12 to 14 inside their own standard library.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 15)
   add_compile_options(-Wno-array-bounds)
 endif()
 if(CMAKE_COMPILE_WARNING_AS_ERROR AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

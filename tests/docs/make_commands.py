@@ -79,9 +79,9 @@ def of_command(name, help_text):
         if meaning.startswith("Excludes: "):  # newer releases of CLI11 write it behind, or in the next column
             excluded = re.match(r"Excludes:((?: (?:--[\w-]+|[A-Z]+)(?=\s|$))+)", meaning)
             excluded, meaning = excluded.group(1), meaning[excluded.end():].strip()
-        if meaning.startswith("REQUIRED "):
-            word, meaning = word.strip() + " REQUIRED", meaning[len("REQUIRED "):].strip()
         word = re.sub(r"(?<! in) \[([^]]*)\]$", r"=\1", word.strip())  # how newer releases of CLI11 write a default
+        if meaning.startswith("REQUIRED "):
+            word, meaning = word + " REQUIRED", meaning[len("REQUIRED "):].strip()
         text += f"- `{word}`: {meaning}" + (f" (not with {', '.join(excluded.split())})" if excluded else "") + "\n"
     return text
 

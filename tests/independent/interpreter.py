@@ -203,8 +203,9 @@ def tableau_step(tableau, env, force):
     env["v"] = v + h * sum(p * q for p, q in zip(number["b"], flat[1::2]))
 
 
-def run(integrator, params, force, h, x0, v0, t0, steps):
-    """The positions and velocities read out after 1..steps steps."""
+def run(integrator, params, force, h, x0, v0, t0, steps, term=None):
+    """The positions and velocities read out after 1..steps steps; term(t) is added to x and v at the end of the step
+    that begins at t."""
     one = Fraction(1) if isinstance(h, Fraction) else 1.0
     env = {**params, "one": one, "h": h, "t": t0, "x": x0, "v": v0}
     execute(integrator.start, env, force)
@@ -222,6 +223,8 @@ def run(integrator, params, force, h, x0, v0, t0, steps):
             tableau_step(integrator.tableau, env, force)
         else:
             execute(integrator.step, env, force)
+        if term:
+            env["x"], env["v"] = (q + more for q, more in zip((env["x"], env["v"]), term(t0 + n * h)))
         force = given
         shown = {name: env[name] for name in carried} | {"t": t0 + (n + 1) * h}
         execute(integrator.finish, shown, force)

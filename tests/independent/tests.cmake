@@ -14,6 +14,12 @@ if(SHORTFALL_PYTHON3)
   # The planted misprints are wrong as they stand and right with their mends.
   add_test(NAME independent_misprints
     COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/misprints.py" "${PROJECT_SOURCE_DIR}/tests/data/misprints")
+  # What the command answers about the catalogue.
+  if(TARGET shortfall)
+    add_test(NAME independent_answers
+      COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/answers.py" $<TARGET_FILE:shortfall> "${PROJECT_SOURCE_DIR}/integrators")
+    set_tests_properties(independent_answers PROPERTIES LABELS independent)
+  endif()
   set_tests_properties(independent_catalogue independent_spring_steps independent_order_conditions independent_misprints PROPERTIES LABELS independent)
 else()
   message(STATUS "python3 is not installed: the tests of tests/independent are left out")

@@ -58,7 +58,8 @@ TEST_CASE("for every force the methods of the bank have the order they claim, no
     CAPTURE(file.name);
     const SeriesSource source(file.program, {});
     // A Nystroem method is for forces that do not read the velocity.
-    const ForceClass& forces = force_class(file.nystroem ? "velocity_independent" : "general");
+    const std::string forces_named = file.nystroem ? "velocity_independent" : "general";
+    const ForceClass& forces = force_class(forces_named);
     OrderLimits limits;
     limits.highest = file.claims.order->value + 1;
     const OrderOfClass found = order_of_class(source, forces, limits);
