@@ -163,14 +163,17 @@ std::string jump_code(const Flight& flight, const Rational& g, Language language
                                           {"tolerance", {tolerance}}});
 }
 
+std::string code_name(const CodeFunction& function, Language language) {
+  if (language == Language::csharp) return constant_identifier(function.name, language);
+  return language == Language::javascript ? identifier(function.name, language) : function.name;
+}
+
 std::string code(const CodeFunction& function, Language language) {
   const std::map<std::string, std::string> names{{"h", "dt"}};
-  const bool camel = language == Language::csharp || language == Language::javascript;
   const std::string comment = language == Language::python || language == Language::gdscript ? "# " : "// ";
   std::string text;
   for (const std::string& line : function.about) text += comment + line + "\n";
-  std::string name = camel ? identifier(function.name, language) : function.name;
-  if (language == Language::csharp) name = constant_identifier(function.name, language);
+  const std::string name = code_name(function, language);
   std::string arguments;
   for (const std::string& letter : function.arguments) {
     const std::string argument = letter == "h" ? "dt" : identifier(letter, language);

@@ -28,5 +28,7 @@ struct CodeFunction {
   Expr value;
 };
 std::string code(const CodeFunction& function, Language language);
+/// What the function is called there: launchVelocity, LaunchVelocity, launch_velocity.
+std::string code_name(const CodeFunction& function, Language language);
 
 }  // namespace shortfall

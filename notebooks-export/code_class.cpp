@@ -105,17 +105,6 @@ std::string joined(const Lines& items, const std::string& before = "") {
   return text;
 }
 
-std::string decimal(double value, Language language) {
-  char text[40];
-  std::snprintf(text, sizeof text, is_binary32(language) ? "%.9g" : "%.17g", value);
-  std::string digits = text;
-  if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
-  if (digits.find('e') != std::string::npos && digits.find('.') == std::string::npos)
-    digits.insert(digits.find('e'), ".0");
-  if (language == Language::csharp || language == Language::cpp) digits += "f";
-  return value < 0 ? "(" + digits + ")" : digits;
-}
-
 /// The carried vectors as declarations of members, one a line.
 Lines declarations(const Lines& states, Language language) {
   Lines lines;
@@ -169,8 +158,8 @@ std::string integrator_code(const Program& whole, const Values& given, int subst
                  {"finish", step.finish},
                  {"position", {step.position}},
                  {"velocity", {step.velocity}},
-                 {"x3", {decimal(check.x.back(), language)}},
-                 {"v3", {decimal(check.v.back(), language)}}});
+                 {"x3", {decimal_literal(check.x.back(), language)}},
+                 {"v3", {decimal_literal(check.v.back(), language)}}});
 }
 
 }  // namespace shortfall

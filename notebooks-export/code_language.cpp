@@ -5,6 +5,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <cstdio>
 #include <set>
 
 #include "analysis/algebra/error.hpp"
@@ -264,6 +265,17 @@ std::string code(const Expr& e, Language language, const std::map<std::string, s
 std::string code_in_binary64(const Expr& e, Language language,
                              const std::map<std::string, std::string>& names) {
   return Writer(language, names, true).text(e);
+}
+
+std::string decimal_literal(double value, Language language) {
+  char text[40];
+  std::snprintf(text, sizeof text, is_binary32(language) ? "%.9g" : "%.17g", value);
+  std::string digits = text;
+  if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
+  if (digits.find('e') != std::string::npos && digits.find('.') == std::string::npos)
+    digits.insert(digits.find('e'), ".0");
+  if (language == Language::csharp || language == Language::cpp) digits += "f";
+  return value < 0 ? "(" + digits + ")" : digits;
 }
 
 }  // namespace shortfall

@@ -39,6 +39,9 @@ std::string constant_identifier(const std::string& name, Language language);
 /// needed).
 std::string literal(const Rational& value, Language language);
 
+/// A measured number with as many digits as the language's numbers keep; negative ones in parentheses.
+std::string decimal_literal(double value, Language language);
+
 /// An expression of scalars: one operation of ours is one of theirs, in our order; powers are products.
 ///
 /// param   names  what names of ours become; others become identifiers

@@ -192,6 +192,39 @@ TEST_CASE("C# compiles and agrees with the library") {
   compare(folder.output("mono jump.exe"), true);
 }
 
+TEST_CASE("GDScript runs and agrees with the library") {
+  if (!installed("godot3-server")) return;
+  const CodeFolder folder;
+  std::string main = "extends SceneTree\n\nfunc _init():\n\tvar j\n";
+  for (std::size_t k = 0; k < samples().size(); ++k) {
+    const std::string file = "jump" + std::to_string(k) + ".gd";
+    folder.write(file, jump_code(samples()[k].flight, kG, Language::gdscript));
+    main += "\tj = load(\"res://" + file +
+            "\")\n\tprint(\"jump \", j.launch_velocity(1.7), \" \", j.on_frame_launch_velocity(1.7), \" \", "
+            "j.highest_frame(" +
+            launch_of(k) + "), \" \", int(j.self_check()))\n";
+  }
+  folder.write("main.gd", main + "\tquit()\n");
+  folder.write("project.godot", "config_version=4\n");
+  std::istringstream said(folder.output("HOME=. timeout 60 godot3-server --no-window --script main.gd"));
+  std::size_t k = 0;
+  for (std::string line; std::getline(said, line);) {
+    if (!line.starts_with("jump ")) continue;  // its banner
+    REQUIRE(k < samples().size());
+    CAPTURE(samples()[k].what);
+    const Jump j = jump(samples()[k++].flight, Rational(17, 10), kG);
+    std::istringstream in(line.substr(5));
+    double launch = 0, on_frame = 0, top = 0, check = 0;
+    REQUIRE(bool(in >> launch >> on_frame >> top >> check));
+    // Godot prints six digits.
+    CHECK(launch == doctest::Approx(j.corrected->launch.to_double()).epsilon(1e-5));
+    CHECK(on_frame == doctest::Approx(j.on_frame->launch.to_double()).epsilon(1e-5));
+    CHECK(top == doctest::Approx(static_cast<double>(j.binary32->top)).epsilon(1e-5));
+    CHECK(check == 1);
+  }
+  CHECK(k == samples().size());
+}
+
 TEST_CASE("every language says what it corrects, by how much, and for which step") {
   for (const std::string& word : language_names()) {
     CAPTURE(word);
