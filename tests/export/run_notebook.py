@@ -19,6 +19,8 @@ import re
 import sys
 import traceback
 
+SYSTEM_PYTHON = "/usr/bin/python3"
+
 os.environ.setdefault("MPLBACKEND", "Agg")  # a picture is drawn, and not shown
 
 
@@ -96,6 +98,9 @@ def main(arguments):
             import nbconvert  # noqa: F401
             import nbformat  # noqa: F401
         except ImportError as missing:
+            # Debian's packages belong to Debian's interpreter, which need not be the first on the search path.
+            if sys.executable != SYSTEM_PYTHON and os.access(SYSTEM_PYTHON, os.X_OK):
+                os.execv(SYSTEM_PYTHON, [SYSTEM_PYTHON, __file__, "--jupyter", *arguments])
             print(f"not run: {missing}")
             return 77
     passed = [run(path) for path in arguments]

@@ -18,7 +18,8 @@ if(SHORTFALL_PYTHON3)
   if(TARGET shortfall)
     add_test(NAME independent_answers
       COMMAND "${SHORTFALL_PYTHON3}" "${CMAKE_CURRENT_LIST_DIR}/answers.py" $<TARGET_FILE:shortfall> "${PROJECT_SOURCE_DIR}/integrators")
-    set_tests_properties(independent_answers PROPERTIES LABELS independent)
+    # Hundreds of commands: not under the sanitizers, whose other tests run the same code.
+    set_tests_properties(independent_answers PROPERTIES LABELS "independent;slow")
   endif()
   set_tests_properties(independent_catalogue independent_spring_steps independent_order_conditions independent_misprints PROPERTIES LABELS independent)
 else()
