@@ -85,7 +85,7 @@ def with_jupyter(path):
 
     notebook = nbformat.read(path, as_version=4)
     nbformat.validate(notebook)
-    ExecutePreprocessor(timeout=120, kernel_name="python3").preprocess(notebook, {"metadata": {"path": "/tmp"}})
+    ExecutePreprocessor(timeout=600, startup_timeout=300, kernel_name="python3").preprocess(notebook, {"metadata": {"path": "/tmp"}})
     return True
 
 
