@@ -18,8 +18,8 @@ namespace shortfall {
 namespace {
 
 constexpr std::int64_t kMostFrames = 4'000'000;
-constexpr double kMostMeasured = 2e8;                 ///< nanoseconds of one measurement
-constexpr std::int64_t kMostStepsAtOnce = 4'000'000;  ///< of all motions of one measurement
+constexpr double kMostMeasured = 2e8;               ///< nanoseconds of one measurement
+constexpr std::int64_t kMostStepsAtOnce = 400'000;  ///< of all motions of one measurement
 
 std::vector<Rational> usual_steps(const Scene& scene, const DoubleDouble& end) {
   std::vector<Rational> steps;
