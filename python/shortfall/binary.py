@@ -97,18 +97,26 @@ def option_words(options: Mapping[str, Any]) -> List[str]:
     ['--force=spring:k=4', '--dt=1/10', '--param=beta=0.25', '--full']
     >>> option_words({"all_engines": True, "formats": ["f32", "f64"]})
     ['--all-engines', '--formats=f32,f64']
+
+    A list of lists gives the option again and again; where its name is a word of Python, it gets an underscore.
+
+    >>> option_words({"from_": [(1, 0), (2, "1/2")], "dt": "1/2"})
+    ['--from=1,0', '--from=2,1/2', '--dt=1/2']
     """
     words: List[str] = []
     for name, content in options.items():
         if not re.fullmatch(r"[A-Za-z][A-Za-z0-9_]*", name):
             raise UsageError(f"'{name}' is no option", 2)
-        option = "--" + name.replace("_", "-")
+        option = "--" + name.rstrip("_").replace("_", "-")
         if content is None or content is False:
             continue
         if content is True:
             words.append(option)
         elif isinstance(content, Mapping):
             words += [f"{option}={key}={_text(item)}" for key, item in content.items()]
+        elif isinstance(content, (list, tuple)) and content and all(isinstance(item, (list, tuple)) for item in content):
+            for item in content:
+                words += option_words({name: item})
         elif isinstance(content, (list, tuple)):
             words.append(f"{option}={','.join(_text(item) for item in content)}")
         else:
