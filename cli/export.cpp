@@ -101,12 +101,7 @@ std::string figure(const Program& program, const Values& given, const Derivation
 /// The jump that the notebook is about, drawn; nothing where there is none, or no gnuplot.
 std::string jump_picture(const Question& q, const Derivation& d) {
   if (d.degree > 0) return {};
-  if (!gnuplot_is_here()) {
-    say("shortfall: the notebook's picture is there once its cell is run: gnuplot, which draws it before, is "
-        "not "
-        "installed (on Debian: gnuplot-nox)");
-    return {};
-  }
+  if (!gnuplot_is_here()) return {};  // the cell draws it when it is run
   try {
     std::vector<Flight> flights;
     flights.emplace_back(q.program(), Rational(1, 50), q.substeps(), q.values());
