@@ -8,7 +8,6 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/native/native_many.hpp"
 #include "analysis/program/catalogue.hpp"
-#include "analysis/program/transform.hpp"
 #include "analysis/trade/rounded_number.hpp"
 
 namespace shortfall {
@@ -37,18 +36,9 @@ struct SceneLanes::Machine {
 template <class S>
 struct SceneLanes::MachineOf : Machine {
   MachineOf(const Scene& scene, const StepChoice& choice, int count)
-      : program(find_integrator(choice.integrator)),
-        parameters(choice.parameters),
+      : steps(chosen_steps(choice)),
+        step(rounded_number<S>(steps.h)),
         acceleration(scene, asked_forces(scene, choice.integrator, {})) {
-    Rational h = choice.frame;
-    steps_a_frame = choice.substeps;
-    if (const auto own = substep_parameter(program); own && choice.substeps > 1) {
-      parameters[*own] = choice.substeps;
-      steps_a_frame = 1;
-    } else {
-      h /= Rational(choice.substeps);
-    }
-    step = rounded_number<S>(h);
     const S x0 = rounded_number<S>(scene.bodies[0].position[0]);
     const S v0 = rounded_number<S>(scene.bodies[0].velocity[0]);
     for (int i = 0; i < count; ++i) {
@@ -63,16 +53,15 @@ struct SceneLanes::MachineOf : Machine {
     const auto force = [this](std::span<const S> at, std::span<const S> moving, S t, std::span<S> a) {
       acceleration.many(at.data(), moving.data(), t, a.data(), at.size());
     };
-    native_many<S>(program, parameters, step, ForceReference<S>(force), x, v, S(0), frames * steps_a_frame);
+    native_many<S>(steps.program, steps.parameters, step, ForceReference<S>(force), x, v, S(0),
+                   frames * steps.a_frame);
   }
 
   std::pair<double, double> state(std::size_t index) const override { return {x.at(index), v.at(index)}; }
 
-  Program program;
-  Values parameters;
+  ChosenSteps steps;
+  S step;
   SceneAcceleration<S> acceleration;
-  S step = 0;
-  int steps_a_frame = 1;
   std::vector<S> start_x, start_v, x, v;
 };
 

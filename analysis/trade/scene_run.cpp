@@ -43,6 +43,17 @@ std::string StepChoice::label() const {
   return text + ", " + format;
 }
 
+ChosenSteps chosen_steps(const StepChoice& choice) {
+  ChosenSteps steps{find_integrator(choice.integrator), choice.parameters, choice.frame, choice.substeps};
+  if (const auto own = substep_parameter(steps.program); own && choice.substeps > 1) {
+    steps.parameters[*own] = choice.substeps;
+    steps.a_frame = 1;
+  } else {
+    steps.h /= Rational(choice.substeps);
+  }
+  return steps;
+}
+
 bool SceneOutcome::meets(const Scene& scene, double share) const {
   if (failed) return false;
   for (std::size_t i = 0; i < errors.size(); ++i)
@@ -89,16 +100,8 @@ struct SceneStepping::MachineOf : Machine {
       : scene(the_scene),
         choice(how),
         acceleration(the_scene, asked_forces(the_scene, how.integrator, chosen)) {
-    const Program program = find_integrator(choice.integrator);
-    Values parameters = choice.parameters;
-    Rational h = choice.frame;
-    steps_a_frame = choice.substeps;
-    if (const auto own = substep_parameter(program); own && choice.substeps > 1) {
-      parameters[*own] = choice.substeps;
-      steps_a_frame = 1;
-    } else {
-      h /= Rational(choice.substeps);
-    }
+    const auto [program, parameters, h, a_frame] = chosen_steps(choice);
+    steps_a_frame = a_frame;
     x0 = initial_positions(scene);
     v0 = initial_velocities(scene);
     if (choice.launched) {

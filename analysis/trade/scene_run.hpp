@@ -27,6 +27,15 @@ struct StepChoice {
   std::string label() const;  ///< "symplectic-euler + launch, f32"
 };
 
+/// The steps of a choice: substeps are the integrator's own where it has some, shorter steps otherwise.
+struct ChosenSteps {
+  Program program;
+  Values parameters;
+  Rational h;       ///< of one step
+  int a_frame = 1;  ///< how many steps make a frame
+};
+ChosenSteps chosen_steps(const StepChoice& choice);
+
 /// What stepping a scene in a certain way gives.
 struct SceneOutcome {
   StepChoice choice;
