@@ -11,6 +11,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/function.hpp"
+#include "analysis/program/quickened.hpp"
 #include "analysis/program/tape.hpp"
 
 namespace shortfall {
@@ -36,7 +37,8 @@ namespace shortfall {
 /// A type of values may offer results in place: set_sum(out, a, b), set_difference, set_product, set_quotient
 /// and set_negative(out, a), where `out` may be an operand; they are then used instead of the operators. A
 /// problem may offer accelerate(out, x, v, t) beside `acceleration`, and reads_time(): where it says no, t
-/// stands still.
+/// stands still. Values that are plain memory run quickened instructions (quickened.hpp), bit for bit the
+/// same.
 template <class Problem>
 class Run {
  public:
@@ -64,6 +66,10 @@ class Run {
         execute(p.fallback);
     }
     execute(tape.constants);
+    if constexpr (kQuick) {
+      quick_step_ = quickened(tape.step);
+      for (const Tape::Repeat& r : tape.repeats) quick_repeats_.push_back(quickened(r.body));
+    }
     if constexpr (requires(Scalar s) { problem.assume(s, std::string()); })
       for (const Tape::AssumptionSlot& a : tape.assumptions) {
         execute(a.body);
@@ -111,7 +117,7 @@ class Run {
   template <class Watch = Unwatched>
   void step(const Watch& watch = {}) {
     ++steps_;
-    execute(tape_.step, watch);
+    execute(kQuick && kUnwatched<Watch> ? quick_step_ : tape_.step, watch);
     if (tape_.impulse >= 0) vectors_[tape_.impulse] = problem_.zero();
     advance_time();
   }
@@ -136,11 +142,18 @@ class Run {
   void set_step(Scalar h) { scalars_[Tape::kStep] = std::move(h); }
 
  private:
+  /// Numbers that fit into registers gain from quickened instructions; for others a copy is not worth it.
+  static constexpr bool kQuick = std::is_trivially_copyable_v<Vector>;
+  template <class Watch>
+  static constexpr bool kUnwatched = std::is_same_v<Watch, Unwatched>;
+
   template <class Watch = Unwatched>
   void execute(const Block& block, const Watch& watch = {}) {
-    for (const Instruction& i : block) {
-      execute(i, watch);
-      if constexpr (!std::is_same_v<Watch, Unwatched>) show(i, watch);
+    for (const Instruction *i = block.data(), *end = i + block.size(); i != end; ++i) {
+      execute(*i, watch);
+      if constexpr (!kUnwatched<Watch>) show(*i, watch);
+      if constexpr (kQuick && kUnwatched<Watch>)
+        if (i->kind >= Instruction::Kind::scale_then_add) ++i;  // the next one is done
     }
   }
 
@@ -260,7 +273,7 @@ class Run {
         solve(tape_.solves[i.a]);
         break;
       case Kind::repeat:
-        repeat(tape_.repeats[i.a], watch);
+        repeat(static_cast<std::size_t>(i.a), watch);
         break;
       case Kind::function:
         s[i.out] = problem_.function(static_cast<Function>(i.c), s[i.a], s[i.b]);
@@ -274,7 +287,26 @@ class Run {
       case Kind::when:
         when(tape_.whens[i.a], watch);
         break;
+      case Kind::scale_then_add:
+      case Kind::scale_then_added:
+      case Kind::scale_then_subtract:
+        if constexpr (kQuick) scale_and_next(i, (&i)[1]);
+        break;
     }
+  }
+
+  /// The product stays in a register for the sum that waits for it.
+  void scale_and_next(const Instruction& i, const Instruction& next) {
+    using Kind = Instruction::Kind;
+    auto& v = vectors_;
+    const Vector product = scalars_[i.a] * v[i.b];
+    v[i.out] = product;
+    if (i.kind == Kind::scale_then_add)
+      v[next.out] = v[next.a] + product;
+    else if (i.kind == Kind::scale_then_added)
+      v[next.out] = product + v[next.b];
+    else
+      v[next.out] = v[next.a] - product;
   }
 
   /// By multiplications from the left, ((h*h)*h)*h, as the writers of code print it; a negative exponent
@@ -301,12 +333,14 @@ class Run {
   }
 
   template <class Watch>
-  void repeat(const Tape::Repeat& repeat, const Watch& watch) {
+  void repeat(std::size_t which, const Watch& watch) {
+    const Tape::Repeat& repeat = tape_.repeats[which];
+    const Block& body = kQuick && kUnwatched<Watch> ? quick_repeats_[which] : repeat.body;
     const Scalar h = scalars_[Tape::kStep];
     const Scalar t = scalars_[Tape::kTimeRegister];
     scalars_[Tape::kStep] = h / problem_.number(repeat.count);
     for (int k = 0; k < repeat.count; ++k) {
-      execute(repeat.body, watch);
+      execute(body, watch);
       if (repeat.whole_steps && tape_.impulse >= 0) vectors_[tape_.impulse] = problem_.zero();
       advance_time();
     }
@@ -344,6 +378,8 @@ class Run {
   Problem& problem_;
   std::int64_t steps_ = 0;
   std::optional<Deviation> deviation_;
+  Block quick_step_;
+  std::vector<Block> quick_repeats_;
   std::vector<Scalar> numbers_;
   std::vector<Scalar> scalars_;
   std::vector<Vector> vectors_;

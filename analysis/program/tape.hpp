@@ -38,6 +38,10 @@ struct Instruction {
     repeat,         ///< repeats[a]
     limit,          ///< limits[a]
     when,           ///< whens[a]
+    // Made by quickened() only: this product, and with it the sum or difference in the next instruction.
+    scale_then_add,       ///< vector a + this
+    scale_then_added,     ///< this + vector b
+    scale_then_subtract,  ///< vector a - this
   };
   Kind kind;
   int out = 0;
