@@ -6,10 +6,12 @@
 #include <cstdio>
 #include <vector>
 
+#include "analysis/floating/accumulator.hpp"
 #include "analysis/floating/budget.hpp"
 #include "analysis/floating/tracked.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "bench/harness/interleaved.hpp"
+#include "bench/harness/ratios.hpp"
 
 using namespace shortfall;
 using bench::Contender;
@@ -30,9 +32,9 @@ FloatQuestion spring() {
   return q;
 }
 
-Contender ours(const char* format) {
+Contender ours(const char* format, const char* name = "interpreted") {
   const std::shared_ptr<FloatRun> run = float_run(float_format(format), spring());
-  return here(format, [run] {
+  return here(name, [run] {
     run->begin();
     for (int n = 0; n < kSteps; ++n) run->step();
     bench::keep(run->rough());
@@ -53,8 +55,8 @@ template <class T, class Native>
 }
 
 template <class T>
-Contender by_hand(const char* name) {
-  return here(name, [] { steps_by_hand<T, T>(); });
+Contender by_hand() {
+  return here("a loop by hand", [] { steps_by_hand<T, T>(); });
 }
 
 // Fused multiply-adds as instructions, as a program has that wants them; both are compiled alike.
@@ -77,8 +79,9 @@ Contender tracked(const char* format) {
   });
 }
 
-Contender raw_mpfr(int digits) {
-  return here("raw MPFR, in place", [digits] {
+/// MPFR as a careful user writes it, in place.
+Contender raw_mpfr(int digits, int steps = kSteps) {
+  return here("raw MPFR, in place", [digits, steps] {
     const mpfr_prec_t bits = static_cast<mpfr_prec_t>(digits) * 1000 / 301 + 2;
     mpfr_t x, v, h, k, t;
     for (mpfr_ptr p : {x, v, h, k, t}) mpfr_init2(p, bits);
@@ -87,7 +90,7 @@ Contender raw_mpfr(int digits) {
     mpfr_set_si(k, 1, MPFR_RNDN);
     mpfr_set_si(h, 1, MPFR_RNDN);
     mpfr_div_si(h, h, 50, MPFR_RNDN);
-    for (int n = 0; n < kSteps; ++n) {
+    for (int n = 0; n < steps; ++n) {
       mpfr_mul(t, k, x, MPFR_RNDN);
       mpfr_neg(t, t, MPFR_RNDN);
       mpfr_mul(t, h, t, MPFR_RNDN);
@@ -102,9 +105,48 @@ Contender raw_mpfr(int digits) {
 
 void compare(const char* what, const std::vector<Contender>& pair, const char* beside = "by hand") {
   const std::vector<double> times = bench::least_times(pair, kRounds, 0.01);
-  std::printf("  %-28s %9s a step, %s %9s: %.2f times\n", what, time_text(times[0] / kSteps).c_str(), beside,
+  std::printf("  %-34s %9s a step, %s %9s: %.2f times\n", what, time_text(times[0] / kSteps).c_str(), beside,
               time_text(times[1] / kSteps).c_str(), times[0] / times[1]);
   std::fflush(stdout);
+  bench::note_ratio(std::string(what) + ", a spring by symplectic Euler, 1000 steps", pair[1].name, times[0],
+                    times[1]);
+}
+
+/// All four parts of an error, beside the one number that a run at 60 digits gives by hand.
+void budgets() {
+  constexpr int kMany = 10'000;
+  std::printf("Budgets of %d steps, all parts to 60 digits, beside MPFR's trajectory at 60 digits\n", kMany);
+  const FloatQuestion q = spring();
+  for (const char* format : {"f32", "f64"}) {
+    const std::vector<Contender> both{here("", [&] { bench::keep(budget(float_format(format), q, kMany)); }),
+                                      raw_mpfr(60, kMany)};
+    const std::vector<double> times = bench::least_times(both, kRounds, 0.01);
+    std::printf("  %-34s %9s, MPFR alone %9s: %.2f times\n", format, time_text(times[0]).c_str(),
+                time_text(times[1]).c_str(), times[0] / times[1]);
+    bench::note_ratio(std::string("budget of 10,000 steps in ") + format, "raw MPFR's trajectory, 60 digits",
+                      times[0], times[1]);
+  }
+}
+
+void clocks() {
+  constexpr long kAdditions = 1'000'000;
+  std::printf("t += 0.1f, %ld times\n", kAdditions);
+  const BinaryFormat single = BinaryFormat::binary32();
+  const Accumulator clock{single, Rounding::nearest_even, 0, Rational::from_double(0.1F)};
+  const std::vector<double> times = bench::least_times(
+      {here("", [&] { bench::keep(accumulated(clock, kAdditions)); }), here("",
+                                                                            [] {
+                                                                              volatile float dt = 0.1F;
+                                                                              float t = 0;
+                                                                              for (long n = 0; n < kAdditions;
+                                                                                   ++n)
+                                                                                t += dt;
+                                                                              bench::keep(t);
+                                                                            })},
+      kRounds, 0.005);
+  std::printf("  in closed form %9s, by additions %9s: %.4f times\n", time_text(times[0]).c_str(),
+              time_text(times[1]).c_str(), times[0] / times[1]);
+  bench::note_ratio("t += 0.1f, 1,000,000 times", "a loop by hand", times[0], times[1]);
 }
 
 }  // namespace
@@ -113,24 +155,23 @@ int main() {
   std::printf(
       "A spring by symplectic Euler, h = 1/50, %d steps: the interpreted file beside the same by hand\n",
       kSteps);
-  compare("binary32", {ours("f32"), by_hand<float>("float")});
-  compare("binary64", {ours("f64"), by_hand<double>("double")});
-  compare("x87", {ours("x87"), by_hand<long double>("long double")});
-  compare("binary128", {ours("f128"), by_hand<__float128>("__float128")});
+  compare("binary32", {ours("f32"), by_hand<float>()});
+  compare("binary64", {ours("f64"), by_hand<double>()});
+  compare("x87", {ours("x87"), by_hand<long double>()});
+  compare("binary128", {ours("f128"), by_hand<__float128>()});
   compare("MPFR, 50 digits", {ours("mpfr:50"), raw_mpfr(50)});
   compare("MPFR, 1000 digits", {ours("mpfr:1000"), raw_mpfr(1000)});
   std::printf(
       "The same with its accumulated rounding error tracked beside it, the trajectory bit for bit the "
       "same\n");
-  if (has_fma()) compare("binary64, native", {here("", tracked_steps), here("", plain_steps)}, "plain");
-  compare("binary64, interpreted", {tracked("f64"), ours("f64")}, "plain");
-  compare("binary32, interpreted", {tracked("f32"), ours("f32")}, "plain");
-  std::printf("Budgets\n");
-  const FloatQuestion q = spring();
-  for (const char* format : {"f32", "f64"}) {
-    const double seconds = bench::least_times(
-        {here("", [&] { bench::keep(budget(float_format(format), q, 10'000)); })}, kRounds, 0.01)[0];
-    std::printf("  10,000 steps in %s, all parts to 60 digits: %s\n", format, time_text(seconds).c_str());
-  }
+  if (has_fma())
+    compare("binary64, native and tracked",
+            {here("", tracked_steps), here("the same without tracking", plain_steps)}, "plain");
+  compare("binary64, interpreted and tracked", {tracked("f64"), ours("f64", "the same without tracking")},
+          "plain");
+  compare("binary32, interpreted and tracked", {tracked("f32"), ours("f32", "the same without tracking")},
+          "plain");
+  budgets();
+  clocks();
   return 0;
 }

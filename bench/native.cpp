@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Written classes beside loops by hand, Boost.odeint and GSL: a spring in binary64; and many springs at once.
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
 #include <array>
 #include <boost/numeric/odeint/stepper/runge_kutta4.hpp>
 #include <boost/numeric/odeint/stepper/symplectic_euler.hpp>
@@ -8,14 +10,11 @@
 #include <cstdio>
 #include <utility>
 #include <vector>
-#ifdef SHORTFALL_GSL
-#include <gsl/gsl_errno.h>
-#include <gsl/gsl_odeiv2.h>
-#endif
 
 #include "analysis/native/native_many.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "bench/harness/interleaved.hpp"
+#include "bench/harness/ratios.hpp"
 #include "bench/native/spring_lanes.hpp"
 #include "native/rk4.hpp"
 #include "native/symplectic-euler.hpp"
@@ -136,7 +135,6 @@ State rk4_by_odeint() {
   return {y[0], y[1]};
 }
 
-#ifdef SHORTFALL_GSL
 int spring_for_gsl(double, const double y[], double dy[], void* k) {
   dy[0] = y[1];
   dy[1] = -(*static_cast<double*>(k) * y[0]);
@@ -156,7 +154,6 @@ State rk4_by_gsl() {
     gsl_odeiv2_step_apply(step, static_cast<double>(n) * h, h, y, error, nullptr, nullptr, &system);
   return {y[0], y[1]};
 }
-#endif
 
 int wrong = 0;
 
@@ -204,6 +201,11 @@ void one_spring(const char* name, State (*ours)(), State (*hand)(), State (*odei
   row("a loop by hand", t[1], t[0], "target: class / hand at most 1.05", t[0] <= 1.05 * t[1]);
   row("Boost.odeint", t[2], t[0], "target 1.00", t[2] >= t[0]);
   row("native_run, force by reference", t[3], t[0], "", true);
+  const std::string work = std::string(name) + ", a spring in binary64, 10,000 steps";
+  bench::note_ratio(work, "a loop by hand", t[0], t[1]);
+  bench::note_ratio(work, "Boost.odeint", t[0], t[2]);
+  bench::note_ratio(work + ", force by reference", "a loop by hand", t[3], t[1]);
+  if (gsl) bench::note_ratio(work, "GSL's rk4", t[0], t[4]);
   if (gsl) row("GSL's rk4, two of our steps in one of its", t[4], t[0], "target 8.00", t[4] >= 8 * t[0]);
 }
 
@@ -274,6 +276,10 @@ void many_springs() {
   print("native_many one by one, force by reference", t[1], "", true);
   print("native_many in lanes, force by reference", t[2], "", true);
   if (has) print("lanes, force compiled in", t[3], "target 10.00", t[0] >= 10 * t[3]);
+  const std::string work = "10,000 springs, 1000 steps of symplectic Euler";
+  bench::note_ratio(work + ", one by one, force by reference", "a scalar loop by hand", t[1], t[0]);
+  bench::note_ratio(work + ", in lanes, force by reference", "a scalar loop by hand", t[2], t[0]);
+  if (has) bench::note_ratio(work + ", in lanes", "a scalar loop by hand", t[3], t[0]);
 }
 
 }  // namespace
@@ -285,12 +291,7 @@ int main() {
              nullptr);
   one_spring("velocity-verlet", written<native::VelocityVerlet>, verlet_by_hand, verlet_by_odeint, 1e-10,
              nullptr);
-#ifdef SHORTFALL_GSL
   one_spring("rk4", written<native::Rk4>, rk4_by_hand, rk4_by_odeint, 1e-10, rk4_by_gsl);
-#else
-  std::printf("GSL is left out: libgsl-dev is not installed\n");
-  one_spring("rk4", written<native::Rk4>, rk4_by_hand, rk4_by_odeint, 1e-10, nullptr);
-#endif
   many_springs();
   return wrong == 0 ? 0 : 1;
 }

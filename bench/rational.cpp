@@ -8,12 +8,15 @@
 
 #include <boost/multiprecision/gmp.hpp>
 #include <cstdio>
+#include <map>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "analysis/algebra/rational.hpp"
 #include "bench/harness/interleaved.hpp"
+#include "bench/harness/ratios.hpp"
 
 using shortfall::Rational;
 using BoostRational =
@@ -174,6 +177,10 @@ std::string text(const Flint& r) { return r.str(); }
 
 int differences = 0;
 
+/// Ours over theirs, by who they are and whether the numbers are short.
+std::map<std::pair<std::string, bool>, std::vector<double>> ratios;
+bool short_numbers = true;
+
 /// One row: all four libraries at the same work; `operations` of it are counted.
 template <class Do>
 void row(const char* name, const std::vector<std::string>& a, const std::vector<std::string>& b,
@@ -194,11 +201,14 @@ void row(const char* name, const std::vector<std::string>& a, const std::vector<
   std::printf("%-34s %8.1f ns %8.2f %8.2f %8.2f%s\n", name, least[0] * 1e9 / operations, least[0] / least[1],
               least[0] / least[2], least[0] / least[3], agree ? "" : "  DIFFERENT RESULTS");
   std::fflush(stdout);
+  const char* const names[] = {"GMP mpq_t", "Boost mpq_rational", "FLINT fmpq"};
+  for (std::size_t i = 0; i < 3; ++i) ratios[{names[i], short_numbers}].push_back(least[0] / least[i + 1]);
 }
 
 void rows(const std::string& kind, int bits, bool integers) {
   const auto a = texts(bits, integers, 1), b = texts(bits, integers, 2);
   const int n = static_cast<int>(a.size());
+  short_numbers = bits < 62;
   row((kind + ", sum").c_str(), a, b, n, [](const auto& w) { w.sums(); });
   row((kind + ", product").c_str(), a, b, n, [](const auto& w) { w.products(); });
   row((kind + ", quotient").c_str(), a, b, n, [](const auto& w) { w.quotients(); });
@@ -221,11 +231,16 @@ int main() {
   rows("p/q, 31 bits each", 31, false);
   rows("p/q, 62 bits each", 62, false);
   rows("p/q, 256 bits each", 256, false);
+  short_numbers = true;
   const auto a = texts(10, false, 3);
   std::vector<std::string> unit_fractions;
   for (int k = 1; k <= 256; ++k) unit_fractions.push_back("1/" + std::to_string(k));
   row("1 + 1/2 + ... + 1/256, a term", a, unit_fractions, 256, [](const auto& w) { w.harmonic(); });
   row("Horner at p/q, 24 terms, a term", a, a, 24, [](const auto& w) { w.horner(); });
+  for (const auto& [who, all] : ratios)
+    shortfall::bench::note_mean_ratio(
+        std::string("one operation of Rational, ") + (who.second ? "up to 31 bits" : "62 and 256 bits"),
+        who.first, all);
   if (differences > 0) std::printf("%d rows with different results\n", differences);
   return differences > 0 ? 1 : 0;
 }

@@ -11,6 +11,7 @@
 #include "analysis/trade/advice.hpp"
 #include "analysis/trade/scene_lanes.hpp"
 #include "bench/harness/interleaved.hpp"
+#include "bench/harness/ratios.hpp"
 
 using namespace shortfall;
 using bench::Contender;
@@ -67,6 +68,8 @@ void expressions() {
                 time_text(least[0] / static_cast<double>(kSteps)).c_str(),
                 time_text(least[1] / static_cast<double>(kSteps)).c_str(), ratio,
                 ratio <= 3 ? "   met" : "   MISSED");
+    const std::string work = std::string(p.what) + " written as an expression, velocity Verlet";
+    bench::note_ratio(work, "the library's force", least[1], least[0]);
     if (why_no_lanes(written, choice)) continue;
     SceneLanes many_ours(library, choice, kAtOnce), many_theirs(written, choice, kAtOnce);
     std::vector<Contender> lanes{here("library", [&] { ours.run(kSteps); }),
@@ -79,6 +82,7 @@ void expressions() {
         "  %-10s %10s a step in lanes, as an expression %10s: %5.2f times one alone   target below 1%s\n", "",
         time_text(in_lanes(times[1])).c_str(), time_text(in_lanes(times[2])).c_str(),
         in_lanes(times[2]) / one, in_lanes(times[2]) < one ? "   met" : "   MISSED");
+    bench::note_ratio(work + ", 1024 in lanes", "one motion alone", in_lanes(times[2]), one);
   }
 }
 

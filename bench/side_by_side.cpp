@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The targets of speed beside what is measured, and the sums of powers beside the same sums in SymPy, Maxima
-// and PARI.
+// The targets of speed beside what is measured, and the sums of powers beside the same sums in SymPy, Maxima,
+// FLINT and PARI.
 #include <algorithm>
 #include <cstdio>
 #include <exception>
@@ -12,8 +12,10 @@
 #include "analysis/motion/derivation.hpp"
 #include "analysis/motion/faulhaber.hpp"
 #include "analysis/program/catalogue.hpp"
+#include "bench/harness/flint_sums.hpp"
 #include "bench/harness/interleaved.hpp"
 #include "bench/harness/peer.hpp"
+#include "bench/harness/ratios.hpp"
 #include "notebooks-export/result_text.hpp"
 
 using namespace shortfall;
@@ -80,6 +82,13 @@ std::string plain(std::string line) {
   return result;
 }
 
+int different(const std::vector<std::string>& theirs, const std::vector<std::string>& ours) {
+  if (theirs.size() != ours.size()) return static_cast<int>(ours.size());
+  int count = 0;
+  for (std::size_t i = 0; i < theirs.size(); ++i) count += theirs[i] != ours[i];
+  return count;
+}
+
 /// How many of the sums that a peer gives are not ours.
 int different(bench::Peer& peer, int way, const std::vector<std::string>& ours) {
   const auto theirs = peer.ask("show(" + std::to_string(way) + ")");
@@ -87,11 +96,10 @@ int different(bench::Peer& peer, int way, const std::vector<std::string>& ours) 
   std::vector<std::string> lines;
   for (const std::string& line : *theirs)
     if (std::string text = plain(line); !text.empty()) lines.push_back(std::move(text));
-  if (lines.size() != ours.size()) return static_cast<int>(ours.size());
-  int count = 0;
-  for (std::size_t i = 0; i < lines.size(); ++i) count += lines[i] != ours[i];
-  return count;
+  return different(lines, ours);
 }
+
+const char* way_text(bool own) { return own ? ", its own function" : ", our recurrence"; }
 
 int peers_table() {
   std::printf(
@@ -101,6 +109,15 @@ int peers_table() {
   std::vector<Contender> contenders{here("shortfall", sums)};
   std::vector<std::string> notes{""};
   int wrong = 0;
+  const auto add = [&](Contender contender, int differences) {
+    wrong += differences;
+    contenders.push_back(std::move(contender));
+    notes.push_back(differences == 0 ? "the same polynomials"
+                                     : std::to_string(differences) + " POLYNOMIALS DIFFER");
+  };
+  for (const bool own : {true, false})
+    add(here(bench::flint_name() + way_text(own), [own] { bench::make_flint_sums(kHighestSum, own); }),
+        different(bench::flint_sums(kHighestSum, own), ours));
   for (const auto& peer : peers) {
     if (!peer->runs()) {
       std::printf("  %s %s: left out (./dev bench --peers installs it)\n", peer->name().c_str(),
@@ -108,19 +125,18 @@ int peers_table() {
       continue;
     }
     for (const int way : {1, 2}) {
-      const int count = different(*peer, way, ours);
-      wrong += count;
-      contenders.push_back({peer->name() + (way == 1 ? ", its own function" : ", our recurrence"),
-                            [p = peer.get(), way](long times) { return p->seconds(way, times); }});
-      notes.push_back(count == 0 ? "the same polynomials" : std::to_string(count) + " POLYNOMIALS DIFFER");
+      add({peer->name() + way_text(way == 1),
+           [p = peer.get(), way](long times) { return p->seconds(way, times); }},
+          different(*peer, way, ours));
     }
   }
-  if (contenders.size() == 1) return 0;
   const std::vector<double> least = bench::least_times(contenders, kRounds, 0.02);
   std::printf("  %-50s %9s   %s\n", "", "time", "shortfall / it");
   for (std::size_t i = 0; i < contenders.size(); ++i) {
     std::printf("  %-50s %9s   %-10.2g  %s\n", contenders[i].name.c_str(), time_text(least[i]).c_str(),
                 least[0] / least[i], notes[i].c_str());
+    if (i > 0)
+      bench::note_ratio("all sums of powers of degree 1 to 50", contenders[i].name, least[0], least[i]);
   }
   return wrong;
 }
