@@ -7,7 +7,7 @@ namespace shortfall::cli {
 
 namespace {
 
-constexpr int kDigits = 10;
+constexpr int kShownDigits = 10;
 
 std::optional<std::string> finite_decimal(const Rational& value, int places, std::size_t digits) {
   Rational scaled = value;
@@ -42,8 +42,9 @@ Amounts::Amounts(const std::string& unit, const Rational& typical, bool ascii)
 std::string Amounts::number(const Surd& value, bool with_sign) const {
   const std::string sign = with_sign && value.sign() > 0 ? "+" : "";
   if (value.is_rational())
-    if (const auto decimal = finite_decimal(value.rational_part(), 15, kDigits + 2)) return sign + *decimal;
-  return (ascii_ ? "~ " : "≈ ") + sign + value.significant(kDigits);
+    if (const auto decimal = finite_decimal(value.rational_part(), 15, kShownDigits + 2))
+      return sign + *decimal;
+  return (ascii_ ? "~ " : "≈ ") + sign + value.significant(kShownDigits);
 }
 
 Amounts::Unit Amounts::of_difference(const Surd& metres) const {

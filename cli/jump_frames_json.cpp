@@ -10,25 +10,13 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr int kDigits = 25;
-constexpr int kCsvDigits = 17;
+Json surd_or_null(const std::optional<Surd>& value) { return value ? surd_json(*value) : Json(nullptr); }
 
-Json exact(const Surd& value) {
-  if (value.is_rational()) return value.rational_part().str();
-  return {{"formula", value.str()}, {"decimal", value.significant(kDigits)}, {"digits", kDigits}};
-}
-
-Json exact(const std::optional<Surd>& value) { return value ? exact(*value) : Json(nullptr); }
-
-Json whole(const Rational& n) {
-  std::int64_t value = 0;
-  return n.fits_int64(value) ? Json(value) : Json(n.str());
-}
-
-Json frame(const Frame& f) { return {{"n", whole(f.n)}, {"height", exact(f.height)}}; }
+Json frame(const Frame& f) { return {{"n", whole_json(f.n)}, {"height", surd_json(f.height)}}; }
 
 Json shortfall_of(const JumpShortfall& s) {
-  return {{"total", exact(s.total)}, {"method", exact(s.method)}, {"sampling", exact(s.sampling)}};
+  return {
+      {"total", surd_json(s.total)}, {"method", surd_json(s.method)}, {"sampling", surd_json(s.sampling)}};
 }
 
 Json law(const FrameJump& j) {
@@ -57,11 +45,11 @@ Json exactness(const ListExactness& e) {
 Json ending(const LaunchCounterExample::Ending& e) {
   Json steps = Json::array();
   for (const Rational& h : e.steps) steps.push_back(h.str());
-  return {{"steps", steps}, {"t", e.t.str()}, {"needed", exact(e.needed)}};
+  return {{"steps", steps}, {"t", e.t.str()}, {"needed", surd_json(e.needed)}};
 }
 
 Json launch(const FrameJump& j) {
-  Json json{{"in_hindsight", exact(j.hindsight)}, {"counter_example", nullptr}};
+  Json json{{"in_hindsight", surd_or_null(j.hindsight)}, {"counter_example", nullptr}};
   if (const auto& c = j.counter_example)
     json["counter_example"] = {
         {"common_frames", c->beginning}, {"one", ending(c->one)}, {"other", ending(c->other)}};
@@ -89,9 +77,9 @@ Json repairs(const ListedJump& l) {
                            {"launch", a->correction.value(j.g).str()},
                            {"formula", print(a->correction.formula)},
                            {"frame", a->frame},
-                           {"steps", whole(a->steps)},
-                           {"height", exact(a->height)},
-                           {"shortfall", exact(a->shortfall)}};
+                           {"steps", whole_json(a->steps)},
+                           {"height", surd_json(a->height)},
+                           {"shortfall", surd_json(a->shortfall)}};
   return json;
 }
 
@@ -110,7 +98,7 @@ Json frames(const ListedJump& l) {
             {"end", j.end == FrameJump::End::landed ? "landed" : "list over while falling"},
             {"top_is_certain", j.top_is_certain},
             {"longest", j.longest},
-            {"longest_cost", exact(j.longest_cost)},
+            {"longest_cost", surd_or_null(j.longest_cost)},
             {"law", law(j)},
             {"exact_for_every_list", exactness(j.exactness)},
             {"launch", launch(j)},
@@ -121,20 +109,11 @@ Json frames(const ListedJump& l) {
     json["list"].push_back({{"n", n},
                             {"t", f.t.str()},
                             {"h", f.h.str()},
-                            {"height", exact(f.height)},
-                            {"exact", exact(f.exact)},
-                            {"shortfall", exact(f.shortfall)}});
+                            {"height", surd_json(f.height)},
+                            {"exact", surd_json(f.exact)},
+                            {"shortfall", surd_json(f.shortfall)}});
   }
   return json;
-}
-
-std::string decimal(const Surd& value) {
-  if (value.is_zero()) return "0";
-  std::string text = value.significant(kCsvDigits);
-  if (text.find('e') != std::string::npos || text.find('.') == std::string::npos) return text;
-  text.erase(text.find_last_not_of('0') + 1);
-  if (text.ends_with('.')) text.pop_back();
-  return text;
 }
 
 /// Why no launch is offered for a list of frames.
@@ -155,10 +134,10 @@ Json frames_json(const ListedJump& l) {
             {"substeps", j.substeps},
             {"dt", nullptr},
             {"g", j.g.str()}};
-  json["launch_velocity"] = exact(j.launch_velocity);
+  json["launch_velocity"] = surd_json(j.launch_velocity);
   json["target"] = j.target.str();
   json["shortfall"] = shortfall_of(j.shortfall);
-  json["ideal_time"] = exact(j.ideal_time);
+  json["ideal_time"] = surd_json(j.ideal_time);
   json["ideal_time_height"] = nullptr;
   json["parabola_top"] = nullptr;
   json["best_frame"] = frame(j.best_frame);
@@ -186,8 +165,8 @@ std::string frames_csv(const FrameJump& jump) {
   std::string text = "n,t_s,h_s,height_m,exact_height_m,shortfall_m\n";
   for (std::size_t n = 0; n < jump.frames.size(); ++n) {
     const JumpedFrame& f = jump.frames[n];
-    text += fmt::format("{},{},{},{},{},{}\n", n, decimal(f.t), decimal(f.h), decimal(f.height),
-                        decimal(f.exact), decimal(f.shortfall));
+    text += fmt::format("{},{},{},{},{},{}\n", n, csv_decimal(f.t), csv_decimal(f.h), csv_decimal(f.height),
+                        csv_decimal(f.exact), csv_decimal(f.shortfall));
   }
   return text;
 }

@@ -14,9 +14,9 @@ namespace {
 constexpr std::size_t kWidth = 100;
 constexpr std::size_t kIndent = 15;
 
-class Page {
+class FramesPage {
  public:
-  Page(const ListedJump& listed, const JumpWords& words)
+  FramesPage(const ListedJump& listed, const JumpWords& words)
       : listed_(listed),
         jump_(listed.jump),
         amounts_(words.unit, jump_.target, words.ascii),
@@ -255,6 +255,8 @@ class Page {
 
 }  // namespace
 
-std::string frames_text(const ListedJump& jump, const JumpWords& words) { return Page(jump, words).text(); }
+std::string frames_text(const ListedJump& jump, const JumpWords& words) {
+  return FramesPage(jump, words).text();
+}
 
 }  // namespace shortfall::cli

@@ -21,15 +21,7 @@ Json rounded(const Surd& value) {
 
 Json exact(const Surd& value) {
   if (std::max(value.rational_part().digits(), value.root_part().digits()) > kLongest) return rounded(value);
-  if (value.is_rational()) return value.rational_part().str();
-  return {{"formula", value.str()}, {"decimal", value.significant(kDigits)}, {"digits", kDigits}};
-}
-
-/// A number where every reader of JSON keeps all its digits, otherwise text.
-Json whole(const Rational& n) {
-  constexpr std::int64_t kSafe = std::int64_t{1} << 53;
-  std::int64_t value = 0;
-  return n.fits_int64(value) && value < kSafe ? Json(value) : Json(n.str());
+  return surd_json(value);
 }
 
 /// As exact as the jump is: where a function was rounded, nothing is.
@@ -42,7 +34,7 @@ Json number(const Jump& jump, const std::optional<Surd>& value) {
 }
 
 Json frame(const Jump& jump, const Frame& f) {
-  return {{"n", whole(f.n)}, {"height", number(jump, f.height)}};
+  return {{"n", whole_json(f.n)}, {"height", number(jump, f.height)}};
 }
 
 Json shortfall_of(const Jump& jump, const JumpShortfall& s) {
@@ -82,7 +74,7 @@ Json on_frame(const Jump& jump) {
     return {{"launch", nullptr}, {"n", nullptr}, {"height", nullptr}, {"reason", jump.no_on_frame}};
   const OnFrame& f = *jump.on_frame;
   Json json{{"launch", number(jump, Surd(f.launch))},
-            {"n", whole(f.top.n)},
+            {"n", whole_json(f.top.n)},
             {"height", number(jump, f.top.height)},
             {"shortfall", number(jump, Surd(jump.target) - f.top.height)},
             {"limit", limit(jump.on_frame_limit)}};
@@ -150,6 +142,17 @@ Json body(const Jump& jump) {
 }
 
 }  // namespace
+
+Json surd_json(const Surd& value) {
+  if (value.is_rational()) return value.rational_part().str();
+  return {{"formula", value.str()}, {"decimal", value.significant(kDigits)}, {"digits", kDigits}};
+}
+
+Json whole_json(const Rational& n) {
+  constexpr std::int64_t kSafe = std::int64_t{1} << 53;
+  std::int64_t value = 0;
+  return n.fits_int64(value) && value < kSafe ? Json(value) : Json(n.str());
+}
 
 Json jump_json(const Jump& jump) {
   Json json{{"schema", "shortfall.jump/1"}};

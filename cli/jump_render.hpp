@@ -31,6 +31,14 @@ std::string engines_text(const std::vector<EngineJump>& jumps, const JumpWords& 
 std::string engines_csv(const std::vector<EngineJump>& jumps);
 nlohmann::ordered_json engines_json(const std::vector<EngineJump>& jumps);
 
+/// An exact number: a rational one as it is, one with a root by its formula and its decimal.
+nlohmann::ordered_json surd_json(const Surd& value);
+/// A number where every reader of JSON keeps all its digits, otherwise text.
+nlohmann::ordered_json whole_json(const Rational& n);
+
+/// To 17 digits.
+std::string csv_decimal(const Surd& value);
+
 /// "frame 1", "frames 1 to 5": of a force that launches.
 std::string force_frames_text(int count);
 

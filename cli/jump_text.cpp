@@ -11,9 +11,9 @@ namespace shortfall::cli {
 
 namespace {
 
-class Page {
+class JumpPage {
  public:
-  Page(const Jump& jump, const JumpWords& words)
+  JumpPage(const Jump& jump, const JumpWords& words)
       : jump_(jump),
         amounts_(words.unit, jump.target, words.ascii),
         style_(words.ascii ? Style::language : Style::unicode) {}
@@ -243,7 +243,7 @@ std::string hexadecimal(float value) {
   return digits.starts_with('-') ? "-0x" + digits.substr(1) : "0x" + digits;
 }
 
-std::string jump_text(const Jump& jump, const JumpWords& words) { return Page(jump, words).text(); }
+std::string jump_text(const Jump& jump, const JumpWords& words) { return JumpPage(jump, words).text(); }
 
 std::string jump_table(const std::vector<Jump>& jumps, const JumpWords& words) {
   const Jump& first = jumps.front();

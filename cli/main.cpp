@@ -14,10 +14,9 @@
 #include "cli/output.hpp"
 #include "cli/version.hpp"
 
-namespace {
+namespace shortfall::cli {
 
-using namespace shortfall;
-using namespace shortfall::cli;
+namespace {
 
 /// Parses, runs the command, and prints help where that was asked for.
 int answer(CLI::App& app, int argc, const char* const* argv, int& code);
@@ -118,7 +117,9 @@ int guarded(int argc, char** argv) {
 
 }  // namespace
 
+}  // namespace shortfall::cli
+
 int main(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);
-  return guarded(argc, argv);
+  return shortfall::cli::guarded(argc, argv);
 }

@@ -27,7 +27,7 @@ set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libshortfall-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS
-    "libgmp-dev, libmpfr-dev, libflint-dev, libboost-dev, nlohmann-json3-dev, libtomlplusplus-dev, libgsl-dev, libtbb-dev, libsqlite3-dev")
+    "libgmp-dev, libmpfr-dev, libflint-dev, libboost-dev, libfmt-dev, nlohmann-json3-dev, libtomlplusplus-dev, libgsl-dev, libtbb-dev, libsqlite3-dev")
 if(ARB_LIBRARY)
   string(APPEND CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS ", libflint-arb-dev")
 endif()

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "notebooks-export/comma_list.hpp"
 #include "notebooks-export/text_table.hpp"
 #include "notebooks-export/trade_text.hpp"
 
@@ -11,12 +12,6 @@ namespace shortfall {
 namespace {
 
 using Rows = std::vector<std::vector<std::string>>;
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& w : words) text += (text.empty() ? "" : ", ") + w;
-  return text;
-}
 
 std::string way(const Advice& a, const SceneOutcome& o) {
   const std::string unit = a.scene.units.time;
@@ -50,7 +45,7 @@ std::string forces(const Advice& a) {
     left_out.push_back(e.name + " (" + a.scene.observables[worst].name + " changes by " +
                        error_text(e.changes[worst], a.scene.observables[worst].unit) + ")");
   }
-  return joined(kept) + (left_out.empty() ? "" : "; leave out " + joined(left_out));
+  return comma_list(kept) + (left_out.empty() ? "" : "; leave out " + comma_list(left_out));
 }
 
 std::string left(const Advice& a, const SceneOutcome& o) {
@@ -60,7 +55,7 @@ std::string left(const Advice& a, const SceneOutcome& o) {
     words.push_back(seen.name + " " + error_text(o.errors[i], seen.unit) + " (allowed " +
                     error_text(seen.tolerance.to_double(), seen.unit) + ")");
   }
-  return joined(words);
+  return comma_list(words);
 }
 
 std::string against_naive(const Advice& a) {

@@ -12,16 +12,16 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kDigits = 9;     // shown
-constexpr int kFewDigits = 4;  // of what would be
+constexpr int kBudgetDigits = 9;  // shown
+constexpr int kFewDigits = 4;     // of what would be
 
-struct Scale {
+struct BudgetScale {
   const char* unit;
   int exponent;  ///< of ten: shown = value * 10^exponent
 };
 
 /// A unit in which lengths and times are read easily.
-Scale scale_for(const std::vector<Budget>& budgets, std::size_t line) {
+BudgetScale scale_for(const std::vector<Budget>& budgets, std::size_t line) {
   double largest = 0;
   bool time = false;
   for (const Budget& b : budgets)
@@ -35,7 +35,7 @@ Scale scale_for(const std::vector<Budget>& budgets, std::size_t line) {
   return {time ? "ns" : "nm", 9};
 }
 
-std::string shown(const Ball& value, const Scale& scale, int digits = kDigits) {
+std::string shown(const Ball& value, const BudgetScale& scale, int digits = kBudgetDigits) {
   const Ball scaled = value * Ball(Rational(10).pow(scale.exponent), value.bits());
   if (scaled.is_zero()) return "0";
   if (const auto text = scaled.significant(digits)) return *text;
@@ -43,7 +43,7 @@ std::string shown(const Ball& value, const Scale& scale, int digits = kDigits) {
 }
 
 /// A bound with two digits, never below it.
-std::string rounded_up(double bound) {
+std::string bound_text(double bound) {
   if (bound == 0 || !std::isfinite(bound)) return bound == 0 ? "0" : "none";
   const double unit = std::pow(10.0, std::floor(std::log10(bound)) - 1);
   std::array<char, 32> text{};
@@ -86,7 +86,7 @@ std::string mend(const std::string& part, const FloatQuestion& q) {
 }
 
 /// "  method          dt = 1/100 s leaves 28.449 mm; or ..."
-std::string remedies_text(const std::vector<Budget>& budgets, const Scale& scale) {
+std::string remedies_text(const std::vector<Budget>& budgets, const BudgetScale& scale) {
   const Budget* first = nullptr;
   for (const Budget& b : budgets)
     if (!first && !b.lines.empty()) first = &b;
@@ -181,7 +181,7 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
   std::size_t lines = 0;
   for (const Budget& b : budgets) lines = std::max(lines, b.lines.size());
   for (std::size_t i = 0; i < lines; ++i) {
-    const Scale scale = scale_for(budgets, i);
+    const BudgetScale scale = scale_for(budgets, i);
     std::vector<std::vector<std::string>> rows;
     std::string head;
     for (const Budget& b : budgets) {
@@ -196,7 +196,7 @@ std::string as_text(const std::vector<Budget>& budgets, const std::string& about
       std::vector<std::string> row{b.format.name(), shown(l.observed, scale)};
       for (const BudgetTerm& t : l.terms) row.push_back(shown(t.value, scale));
       if (l.quantity == "x") {
-        row.push_back(b.rounding_bound ? rounded_up(*b.rounding_bound * std::pow(10.0, scale.exponent))
+        row.push_back(b.rounding_bound ? bound_text(*b.rounding_bound * std::pow(10.0, scale.exponent))
                                        : "-");
       }
       rows.push_back(std::move(row));
@@ -288,7 +288,7 @@ std::string short_name(const std::string& part) { return part == "representation
 Figure budget_figure(const std::vector<Budget>& budgets, const std::string& title) {
   Figure figure;
   figure.title = title;
-  const Scale scale = scale_for(budgets, 0);
+  const BudgetScale scale = scale_for(budgets, 0);
   const double factor = std::pow(10.0, scale.exponent);
   for (const Budget& b : budgets) {
     if (b.lines.empty()) continue;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "notebooks-export/text_table.hpp"
+
 namespace shortfall {
 
 namespace {
@@ -12,7 +14,7 @@ constexpr std::size_t kMostRows = 40;
 constexpr std::size_t kFirstRows = 20, kLastRows = 6;
 
 /// Without the zeros at the end of its digits.
-std::string trimmed(const std::string& text) {
+std::string without_last_zeros(const std::string& text) {
   const std::size_t e = std::min(text.find('e'), text.size());
   std::string digits = text.substr(0, e);
   if (digits.find('.') == std::string::npos) return text;
@@ -24,8 +26,8 @@ std::string trimmed(const std::string& text) {
 /// In digits; exact where these suffice (or a few more, where there is room), else with the sign of rounding.
 std::string shown(const Rational& value, int digits = 10) {
   const std::string longest = value.significant(digits == 10 ? 14 : digits);
-  if (Rational::parse(longest) == value) return trimmed(longest);
-  return "≈ " + trimmed(value.significant(digits));
+  if (Rational::parse(longest) == value) return without_last_zeros(longest);
+  return "≈ " + without_last_zeros(value.significant(digits));
 }
 
 /// A whole number; one that nobody would count is rounded.
@@ -34,16 +36,6 @@ std::string counted(const Rational& n) { return n.digits() > 24 ? shown(n) : n.s
 std::string signed_text(const Rational& value, int digits = 10) {
   std::string text = shown(value, digits);
   if (value.sign() > 0) text.insert(text.starts_with("≈ ") ? std::string("≈ ").size() : 0, "+");
-  return text;
-}
-
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
-}
-
-std::string padded(std::string text, std::size_t width) {
-  if (const std::size_t own = width_of(text); own < width) text.append(width - own, ' ');
   return text;
 }
 

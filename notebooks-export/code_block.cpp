@@ -1,17 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/code_block.hpp"
 
+#include "notebooks-export/comma_list.hpp"
+
 namespace shortfall {
 
 namespace {
 
 constexpr std::size_t kColumns = 110;
-
-std::string listed(const std::vector<std::string>& items) {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + item;
-  return text;
-}
 
 }  // namespace
 
@@ -164,7 +160,7 @@ std::string CodeBlock::parameters(const std::vector<std::string>& arguments) con
         list.push_back(a);
         break;
     }
-  return listed(list);
+  return comma_list(list);
 }
 
 std::string CodeBlock::routine_name(const std::string& name) const {
@@ -184,7 +180,7 @@ void CodeBlock::open_class(const std::string& name, const std::vector<std::strin
   switch (language_) {
     case Language::csharp:
       open("public sealed class " + name);
-      line("public double " + listed(members) + ";");
+      line("public double " + comma_list(members) + ";");
       line();
       open("public " + name + "(" + given + ")");
       for (const std::string& a : arguments) assign("this." + a, a);
@@ -218,7 +214,7 @@ void CodeBlock::open_class(const std::string& name, const std::vector<std::strin
       line("#[allow(dead_code)]");
       open("impl " + name);
       open("pub fn new(" + given + ") -> Self");
-      line("let mut kit = Self { " + listed(arguments) + ", ..Self::default() };");
+      line("let mut kit = Self { " + comma_list(arguments) + ", ..Self::default() };");
       break;
     }
     case Language::javascript:
@@ -267,7 +263,7 @@ void CodeBlock::open_routine(const std::string& name, const std::vector<std::str
 }
 
 void CodeBlock::call(const std::string& name, const std::vector<std::string>& arguments) {
-  const std::string said = routine_name(name) + "(" + listed(arguments) + ")";
+  const std::string said = routine_name(name) + "(" + comma_list(arguments) + ")";
   line(member(said) + (braces() ? ";" : ""));
 }
 

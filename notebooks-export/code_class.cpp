@@ -15,6 +15,7 @@
 #include "notebooks-export/code_class_template.hpp"
 #include "notebooks-export/code_step.hpp"
 #include "notebooks-export/code_template.hpp"
+#include "notebooks-export/comma_list.hpp"
 
 namespace shortfall {
 
@@ -99,12 +100,6 @@ Lines constants(std::set<std::string> needed, const Program& program, const Valu
   return lines;
 }
 
-std::string joined(const Lines& items, const std::string& before = "") {
-  std::string text;
-  for (const std::string& item : items) text += (text.empty() ? "" : ", ") + before + item;
-  return text;
-}
-
 /// The carried vectors as declarations of members, one a line.
 Lines declarations(const Lines& states, Language language) {
   Lines lines;
@@ -137,7 +132,7 @@ std::string integrator_code(const Program& whole, const Values& given, int subst
   Lines fields = all;
   if (language == Language::rust) fields = {"acceleration", "x", "v", "dt", "t"};
   if (language == Language::rust) fields.insert(fields.end(), states.begin(), states.end());
-  Lines member_lines{joined(all) + ", dt, t"};
+  Lines member_lines{comma_list(all) + ", dt, t"};
   if (language == Language::gdscript) member_lines = declarations(all, language);
   std::string function = program.name;
   for (char& c : function)
@@ -150,7 +145,7 @@ std::string integrator_code(const Program& whole, const Values& given, int subst
                                          values, language)},
                  {"members", member_lines},
                  {"states", declarations(states, language)},
-                 {"fields", {joined(fields)}},
+                 {"fields", {comma_list(fields)}},
                  {"pack", pack},
                  {"unpack", unpack},
                  {"start", step.start},

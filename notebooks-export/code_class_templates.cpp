@@ -6,7 +6,7 @@ namespace shortfall {
 
 namespace {
 
-constexpr std::string_view kCsharp = R"code(// @about@
+constexpr std::string_view kCsharpClass = R"code(// @about@
 using System;
 
 public sealed class @class@
@@ -58,7 +58,7 @@ public sealed class @class@
 }
 )code";
 
-constexpr std::string_view kCpp = R"code(// @about@
+constexpr std::string_view kCppClass = R"code(// @about@
 #pragma once
 
 #include <algorithm>
@@ -106,7 +106,7 @@ inline bool @function@_self_check() {
 }
 )code";
 
-constexpr std::string_view kGdscript = R"code(# @about@
+constexpr std::string_view kGdscriptClass = R"code(# @about@
 class_name @class@
 @constants@
 
@@ -150,7 +150,7 @@ func self_check() -> bool:
 	return abs(shown[0] - @x3@) <= 2e-6 and abs(shown[1] - @v3@) <= 2e-6
 )code";
 
-constexpr std::string_view kPython = R"code(# @about@
+constexpr std::string_view kPythonClass = R"code(# @about@
 from math import exp, isclose, sqrt
 @constants@
 
@@ -192,7 +192,7 @@ if __name__ == "__main__":
     assert self_check()
 )code";
 
-constexpr std::string_view kRust = R"code(// @about@
+constexpr std::string_view kRustClass = R"code(// @about@
 @constants@
 
 /// acceleration(x, v, t) is the force divided by the mass.
@@ -249,7 +249,7 @@ mod tests {
 }
 )code";
 
-constexpr std::string_view kJavascript = R"code(// @about@
+constexpr std::string_view kJavascriptClass = R"code(// @about@
 @constants@
 
 /** acceleration(x, v, t) is the force divided by the mass. */
@@ -290,17 +290,17 @@ if (typeof module !== "undefined") module.exports = { @class@ };
 std::string_view class_template(Language language) {
   switch (language) {
     case Language::csharp:
-      return kCsharp;
+      return kCsharpClass;
     case Language::cpp:
-      return kCpp;
+      return kCppClass;
     case Language::gdscript:
-      return kGdscript;
+      return kGdscriptClass;
     case Language::python:
-      return kPython;
+      return kPythonClass;
     case Language::rust:
-      return kRust;
+      return kRustClass;
     case Language::javascript:
-      return kJavascript;
+      return kJavascriptClass;
   }
   return {};
 }

@@ -12,13 +12,6 @@ namespace shortfall {
 
 namespace {
 
-/// The names in an expression, as they come.
-void collect(const Expr& e, std::vector<std::string>& names) {
-  if (e->op == Expression::Op::name && std::ranges::find(names, e->name) == names.end())
-    names.push_back(e->name);
-  for (const Expr& operand : e->operands) collect(operand, names);
-}
-
 std::string target_words(const Correction& c) {
   switch (c.kind) {
     case Correction::Kind::launch:
@@ -137,7 +130,7 @@ std::string kit_code(const CorrectionKit& kit, const Derivation& d, Language lan
         target_words(c) + (c.kind == Correction::Kind::read_out && c.target == "x" && mentions(c.add, "v")
                                ? " Here v is the corrected velocity."
                                : "")};
-    collect(c.add, function.arguments);
+    collect_names(c.add, function.arguments);
     std::ranges::stable_partition(function.arguments,
                                   [](const std::string& name) { return name != "h" && name != "t"; });
     function.value = c.add;

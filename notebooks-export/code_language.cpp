@@ -36,7 +36,7 @@ constexpr std::array<Name, 14> kNames{{{"csharp", Language::csharp},
                                        {"js", Language::javascript}}};
 
 /// Words that cannot be names in one of the languages, or that our templates use.
-const std::set<std::string, std::less<>> kTaken{
+const std::set<std::string, std::less<>> kTakenInCode{
     "and",      "as",       "assert",     "async",     "auto",     "await",    "base",      "bool",
     "break",    "case",     "catch",      "char",      "check",    "class",    "const",     "continue",
     "crate",    "decimal",  "def",        "default",   "del",      "delegate", "delete",    "do",
@@ -112,9 +112,9 @@ std::optional<std::string> short_decimal(const Rational& value) {
   return std::nullopt;
 }
 
-class Writer : public CodeWriter {
+class LanguageWriter : public CodeWriter {
  public:
-  Writer(Language language, const std::map<std::string, std::string>& names, bool wide = false)
+  LanguageWriter(Language language, const std::map<std::string, std::string>& names, bool wide = false)
       : language_(language), names_(names), wide_(wide) {}
 
  private:
@@ -242,7 +242,7 @@ std::string identifier(const std::string& name, Language language) {
     text = words.front();
     for (std::size_t i = 1; i < words.size(); ++i) text += capitalised(words[i]);
   }
-  return kTaken.contains(text) ? text + "_" : text;
+  return kTakenInCode.contains(text) ? text + "_" : text;
 }
 
 std::string constant_identifier(const std::string& name, Language language) {
@@ -259,12 +259,12 @@ std::string constant_identifier(const std::string& name, Language language) {
 std::string literal(const Rational& value, Language language) { return code(number(value), language); }
 
 std::string code(const Expr& e, Language language, const std::map<std::string, std::string>& names) {
-  return Writer(language, names).text(language == Language::csharp ? without_long_constants(e) : e);
+  return LanguageWriter(language, names).text(language == Language::csharp ? without_long_constants(e) : e);
 }
 
 std::string code_in_binary64(const Expr& e, Language language,
                              const std::map<std::string, std::string>& names) {
-  return Writer(language, names, true).text(e);
+  return LanguageWriter(language, names, true).text(e);
 }
 
 std::string decimal_literal(double value, Language language) {
@@ -276,6 +276,12 @@ std::string decimal_literal(double value, Language language) {
     digits.insert(digits.find('e'), ".0");
   if (language == Language::csharp || language == Language::cpp) digits += "f";
   return value < 0 ? "(" + digits + ")" : digits;
+}
+
+void collect_names(const Expr& e, std::vector<std::string>& names) {
+  if (e->op == Expression::Op::name && std::ranges::find(names, e->name) == names.end())
+    names.push_back(e->name);
+  for (const Expr& operand : e->operands) collect_names(operand, names);
 }
 
 }  // namespace shortfall

@@ -51,4 +51,7 @@ std::string code(const Expr& e, Language language, const std::map<std::string, s
 std::string code_in_binary64(const Expr& e, Language language,
                              const std::map<std::string, std::string>& names = {});
 
+/// Adds the names in an expression, as they come, that the list does not have yet.
+void collect_names(const Expr& e, std::vector<std::string>& names);
+
 }  // namespace shortfall

@@ -20,7 +20,7 @@ struct Line {
   int times = 0;
   std::vector<Line> body;
 };
-using Lines = std::vector<Line>;
+using StepLines = std::vector<Line>;
 
 /// The force as code has it: a number that is known, or a call.
 Expr with_force(const Expr& e, ForceInCode force) {
@@ -33,7 +33,7 @@ Expr with_force(const Expr& e, ForceInCode force) {
 }
 
 /// Unknowns in an order in which each is known when it is needed.
-void settle(const Statement& solve, Lines& lines, ForceInCode force) {
+void settle(const Statement& solve, StepLines& lines, ForceInCode force) {
   std::vector<const Unknown*> left;
   for (const Unknown& u : solve.unknowns) left.push_back(&u);
   while (!left.empty()) {
@@ -48,8 +48,8 @@ void settle(const Statement& solve, Lines& lines, ForceInCode force) {
   }
 }
 
-Lines lines_of(const std::vector<Statement>& block, const Values& parameters, ForceInCode force) {
-  Lines lines;
+StepLines lines_of(const std::vector<Statement>& block, const Values& parameters, ForceInCode force) {
+  StepLines lines;
   for (const Statement& s : block) {
     switch (s.kind) {
       case Statement::Kind::assign:
@@ -73,13 +73,13 @@ Lines lines_of(const std::vector<Statement>& block, const Values& parameters, Fo
   return lines;
 }
 
-bool reads(const Lines& lines, const std::string& name) {
+bool reads(const StepLines& lines, const std::string& name) {
   return std::ranges::any_of(
       lines, [&](const Line& l) { return l.name.empty() ? reads(l.body, name) : mentions(l.value, name); });
 }
 
 /// Removes assignments to names that nobody reads, until there is none; `kept` are read from outside.
-bool pruned(Lines& lines, const std::function<bool(const std::string&)>& is_read) {
+bool pruned(StepLines& lines, const std::function<bool(const std::string&)>& is_read) {
   bool changed = false;
   for (Line& l : lines)
     if (l.name.empty()) changed |= pruned(l.body, is_read);
@@ -90,7 +90,7 @@ bool pruned(Lines& lines, const std::function<bool(const std::string&)>& is_read
 }
 
 /// `finish` may assign x and v, but only for the reader: what it assigns gets names of its own.
-std::pair<std::string, std::string> rename_finish(Lines& finish, const std::set<std::string>& carried) {
+std::pair<std::string, std::string> rename_finish(StepLines& finish, const std::set<std::string>& carried) {
   std::map<std::string, std::string> seen;
   for (Line& l : finish) {
     if (l.name.empty()) throw Unable("substeps in `finish` cannot be written as code");
@@ -104,7 +104,7 @@ std::pair<std::string, std::string> rename_finish(Lines& finish, const std::set<
 }
 
 /// Keeps of statements without repetitions only what is needed after them: such a name, or what leads to one.
-void keep_for(std::set<std::string> needed, Lines& lines) {
+void keep_for(std::set<std::string> needed, StepLines& lines) {
   for (auto l = lines.end(); l != lines.begin();) {
     --l;
     if (!l->name.empty() && !needed.contains(l->name)) {
@@ -120,7 +120,7 @@ class Printer {
  public:
   Printer(Language language, ForceInCode force) : language_(language), force_(force) {}
 
-  static int assignments(const Lines& lines, const std::string& name) {
+  static int assignments(const StepLines& lines, const std::string& name) {
     int count = 0;
     for (const Line& l : lines) count += l.name.empty() ? assignments(l.body, name) : l.name == name;
     return count;
@@ -129,7 +129,7 @@ class Printer {
   std::map<std::string, std::string> names{{"h", "dt"}};
   std::set<std::string> declared;
 
-  void print(const Lines& lines, const Lines& whole, int depth, std::vector<std::string>& out) {
+  void print(const StepLines& lines, const StepLines& whole, int depth, std::vector<std::string>& out) {
     for (const Line& l : lines) {
       if (l.name.empty()) {
         repeat(l, whole, depth, out);
@@ -176,7 +176,7 @@ class Printer {
     return {};
   }
 
-  static bool occurs_outside(const Line& loop, const Lines& lines, const std::string& name) {
+  static bool occurs_outside(const Line& loop, const StepLines& lines, const std::string& name) {
     return std::ranges::any_of(lines, [&](const Line& l) {
       if (&l == &loop) return false;
       return l.name.empty() ? occurs_outside(loop, l.body, name) : l.name == name || mentions(l.value, name);
@@ -189,7 +189,7 @@ class Printer {
     return std::string(static_cast<std::size_t>(depth) * (two ? 2 : 4), ' ');
   }
 
-  void repeat(const Line& loop, const Lines& whole, int depth, std::vector<std::string>& out) {
+  void repeat(const Line& loop, const StepLines& whole, int depth, std::vector<std::string>& out) {
     for (const Line& l : loop.body)  // a local that lives on after the loop is declared before it
       if (!l.name.empty() && !declared.contains(l.name) && occurs_outside(loop, whole, l.name))
         out.push_back(indent(depth) + assignment(l.name, literal(0, language_), true));
@@ -252,9 +252,9 @@ CodeStep shaped(const Program& whole, const Values& parameters, Language languag
                 Shape shape) {
   constexpr int kDigits = 20;  // more than any of these languages' numbers hold
   const Program program = with_numbers(undisturbed(whole), kDigits);
-  Lines start = lines_of(program.start, parameters, force);
-  Lines step = lines_of(program.step, parameters, force);
-  Lines finish = lines_of(program.finish, parameters, force);
+  StepLines start = lines_of(program.start, parameters, force);
+  StepLines step = lines_of(program.step, parameters, force);
+  StepLines finish = lines_of(program.finish, parameters, force);
   std::set<std::string> carried{"x", "v"};
   for (const State& s : program.states) carried.insert(s.name);
   const bool loop = shape == Shape::loop;
@@ -271,7 +271,7 @@ CodeStep shaped(const Program& whole, const Values& parameters, Language languag
     if (read_by_frame(l.name)) needed.insert(l.name);
   keep_for(needed, start);
 
-  for (const Lines* lines : {&start, &step, &finish})
+  for (const StepLines* lines : {&start, &step, &finish})
     if (force == ForceInCode::constant && reads(*lines, "t"))
       throw Unable("the step of " + program.name + " reads the clock; we cannot write it as code yet");
 
@@ -285,8 +285,8 @@ CodeStep shaped(const Program& whole, const Values& parameters, Language languag
   // Carried vectors and what `start` assigns live outside the loop over frames.
   printer.declared = {"x", "v"};
   if (shape == Shape::members) printer.declared = carried;
-  Lines carried_lines = start;
-  for (const Lines* lines : {&step, &finish})
+  StepLines carried_lines = start;
+  for (const StepLines* lines : {&step, &finish})
     carried_lines.insert(carried_lines.end(), lines->begin(), lines->end());
   for (const State& s : program.states) {
     Line twice{s.name, number(0), 0, {}};
@@ -295,7 +295,7 @@ CodeStep shaped(const Program& whole, const Values& parameters, Language languag
   printer.print(start, carried_lines, 0, result.start);
   if (!loop) printer.declared.clear();  // a local of `start` is another one's
   printer.declared.insert(carried.begin(), carried.end());
-  Lines frame = step;
+  StepLines frame = step;
   if (loop) frame.insert(frame.end(), finish.begin(), finish.end());
   printer.print(frame, frame, 0, result.step);
   if (!loop) {

@@ -6,7 +6,7 @@ namespace shortfall {
 
 namespace {
 
-constexpr std::string_view kCsharp = R"code(// @about@
+constexpr std::string_view kCsharpJump = R"code(// @about@
 using System;
 
 public static class Jump
@@ -60,7 +60,7 @@ public static class Jump
 }
 )code";
 
-constexpr std::string_view kCpp = R"code(// @about@
+constexpr std::string_view kCppJump = R"code(// @about@
 #pragma once
 
 #include <algorithm>
@@ -112,7 +112,7 @@ inline bool self_check(float gravity = @g@, float dt = @dt@) {
 }  // namespace jump
 )code";
 
-constexpr std::string_view kGdscript = R"code(# @about@
+constexpr std::string_view kGdscriptJump = R"code(# @about@
 class_name Jump
 @constants@
 
@@ -159,7 +159,7 @@ static func self_check(gravity: float = @g@, dt: float = @dt@) -> bool:
 	return true
 )code";
 
-constexpr std::string_view kPython = R"code(# @about@
+constexpr std::string_view kPythonJump = R"code(# @about@
 from math import ceil@exp@, sqrt
 @constants@
 
@@ -209,7 +209,7 @@ if __name__ == "__main__":
     assert self_check()
 )code";
 
-constexpr std::string_view kRust = R"code(// @about@
+constexpr std::string_view kRustJump = R"code(// @about@
 @constants@
 
 /// Upward launch velocity (m/s) of a jump to a height (m).
@@ -261,7 +261,7 @@ mod tests {
 }
 )code";
 
-constexpr std::string_view kJavascript = R"code(// @about@
+constexpr std::string_view kJavascriptJump = R"code(// @about@
 @constants@
 
 /** Upward launch velocity (m/s) of a jump to a height (m). */
@@ -310,17 +310,17 @@ if (typeof module !== "undefined") module.exports = { launchVelocity, onFrameLau
 std::string_view jump_template(Language language) {
   switch (language) {
     case Language::csharp:
-      return kCsharp;
+      return kCsharpJump;
     case Language::cpp:
-      return kCpp;
+      return kCppJump;
     case Language::gdscript:
-      return kGdscript;
+      return kGdscriptJump;
     case Language::python:
-      return kPython;
+      return kPythonJump;
     case Language::rust:
-      return kRust;
+      return kRustJump;
     case Language::javascript:
-      return kJavascript;
+      return kJavascriptJump;
   }
   return {};
 }

@@ -4,13 +4,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "notebooks-export/double_text.hpp"
+
 namespace shortfall {
 
 namespace {
-
-std::string digits(double value, int significant) {
-  return Rational::from_double(value).significant(significant);
-}
 
 /// Turns a second, exactly: whole numbers over the time of a period.
 Rational frequency(const Cycle& c, const FloatQuestion& q) {
@@ -41,15 +39,15 @@ std::string as_text(const CycleSearch& search, const FloatFormat& format, const 
     text += "  oscillations in one period: " + std::to_string(c.turns) + "; so its frequency is " +
             frequency(c, q).significant(12) + " Hz in the long run, exactly " + frequency(c, q).str() + "\n";
     if (const double truth = true_frequency(q); truth > 0)
-      text += "    the spring's is " + digits(truth, 12) + " Hz: the run gains " +
-              digits((frequency(c, q).to_double() / truth - 1) * 1e6, 6) + " millionths (rounded)\n";
+      text += "    the spring's is " + double_text(truth, 12) + " Hz: the run gains " +
+              double_text((frequency(c, q).to_double() / truth - 1) * 1e6, 6) + " millionths (rounded)\n";
   } else {
     text += "  it comes to rest: no oscillation in one period\n";
   }
-  text += "  ever: |x| at most " + digits(c.largest_x, 9) + " m, |v| at most " + digits(c.largest_v, 9) +
-          " m/s\n";
-  text += "  ever: energy per mass from " + digits(c.least_energy, 9) + " to " + digits(c.largest_energy, 9) +
-          " m^2/s^2 (rounded)\n";
+  text += "  ever: |x| at most " + double_text(c.largest_x, 9) + " m, |v| at most " +
+          double_text(c.largest_v, 9) + " m/s\n";
+  text += "  ever: energy per mass from " + double_text(c.least_energy, 9) + " to " +
+          double_text(c.largest_energy, 9) + " m^2/s^2 (rounded)\n";
   return text + "  found by running " + std::to_string(c.looked_at) + " steps, in constant memory\n";
 }
 

@@ -11,7 +11,7 @@ namespace {
 //   ...
 // Below 1/2 the series ends with u^14/16!, which is less than half a unit in the last place of p in binary64.
 
-constexpr const char* kCSharp =
+constexpr const char* kCSharpMove =
     R"(static void DampedMove(ref double x, ref double v, double a, double c, double dt)
 {
     double u = c * dt, decay = System.Math.Exp(-u), q, p;
@@ -32,7 +32,7 @@ constexpr const char* kCSharp =
 }
 )";
 
-constexpr const char* kCpp =
+constexpr const char* kCppMove =
     R"(inline void damped_move(double& x, double& v, double a, double c, double dt) {
   const double u = c * dt, decay = std::exp(-u);
   double q, p;
@@ -50,7 +50,7 @@ constexpr const char* kCpp =
 }
 )";
 
-constexpr const char* kGdscript =
+constexpr const char* kGdscriptMove =
     "func damped_move(x: float, v: float, a: float, c: float, dt: float) -> Array:\n"
     "\tvar u := c * dt\n"
     "\tvar decay := exp(-u)\n"
@@ -67,7 +67,7 @@ constexpr const char* kGdscript =
     "\t\tp = (decay - 1 + u) / (u * u)\n"
     "\treturn [x + q * v + dt * dt * p * a, decay * v + q * a]\n";
 
-constexpr const char* kPython =
+constexpr const char* kPythonMove =
     R"(def damped_move(x, v, a, c, dt):
     u = c * dt
     decay = math.exp(-u)
@@ -83,7 +83,7 @@ constexpr const char* kPython =
     return x + q * v + dt * dt * p * a, decay * v + q * a
 )";
 
-constexpr const char* kRust =
+constexpr const char* kRustMove =
     R"(pub fn damped_move(x: f64, v: f64, a: f64, c: f64, dt: f64) -> (f64, f64) {
     let u = c * dt;
     let decay = (-u).exp();
@@ -101,7 +101,7 @@ constexpr const char* kRust =
 }
 )";
 
-constexpr const char* kJavascript =
+constexpr const char* kJavascriptMove =
     R"(function dampedMove(x, v, a, c, dt) {
   const u = c * dt, decay = Math.exp(-u);
   let q, p;
@@ -129,17 +129,17 @@ std::string damping_code(Language language) {
                             "same at every frame rate. Written by shortfall. What it writes is yours.\n";
   switch (language) {
     case Language::csharp:
-      return about + kCSharp;
+      return about + kCSharpMove;
     case Language::cpp:
-      return "#include <cmath>\n\n" + about + kCpp;
+      return "#include <cmath>\n\n" + about + kCppMove;
     case Language::gdscript:
-      return about + kGdscript;
+      return about + kGdscriptMove;
     case Language::python:
-      return "import math\n\n\n" + about + kPython;
+      return "import math\n\n\n" + about + kPythonMove;
     case Language::rust:
-      return about + kRust;
+      return about + kRustMove;
     case Language::javascript:
-      return about + kJavascript;
+      return about + kJavascriptMove;
   }
   return {};
 }

@@ -3,16 +3,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include "notebooks-export/text_table.hpp"
+
 namespace shortfall {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kShown = 8;  // digits of a number in a text
-constexpr int kInJson = 30;
+constexpr int kDampingDigits = 8;  // digits of a number in a text
+constexpr int kDampingDigitsInJson = 30;
 
-std::string digits(const Ball& b, int count = kShown) {
+std::string digits(const Ball& b, int count = kDampingDigits) {
   if (b.is_zero()) return "0";
   return b.significant(count).value_or(b.midpoint().significant(count));
 }
@@ -26,13 +28,6 @@ std::string given(const DampingReport& r) {
   for (const auto& [name, value] : r.parameters)
     if (mentions(r.share, name) || (r.solves && mentions(r.solves, name)))
       text += ", " + name + " = " + value.str();
-  return text;
-}
-
-std::string padded(std::string text, std::size_t width) {
-  std::size_t columns = 0;
-  for (const char c : text) columns += (c & 0xC0) != 0x80;
-  if (columns < width) text.append(width - columns, ' ');
   return text;
 }
 
@@ -52,17 +47,18 @@ std::string stop(const DampingReport& r) {
          (grows ? " and makes it larger: the motion explodes.\n" : ": what it leaves of v is negative.\n");
 }
 
-Json number(const Ball& b) {
-  return {{"decimal", digits(b, kInJson)}, {"digits", kInJson}, {"radius", b.radius()}};
+Json ball_json(const Ball& b) {
+  return {
+      {"decimal", digits(b, kDampingDigitsInJson)}, {"digits", kDampingDigitsInJson}, {"radius", b.radius()}};
 }
 
 Json rate_json(const DampingAtRate& r) {
   return {{"dt", r.h.str()},
-          {"share", number(r.share)},
-          {"kept_after_1s", number(r.kept)},
-          {"rate", r.rate ? number(*r.rate) : Json(nullptr)},
-          {"terminal_speed", number(r.terminal)},
-          {"coast", number(r.coast)}};
+          {"share", ball_json(r.share)},
+          {"kept_after_1s", ball_json(r.kept)},
+          {"rate", r.rate ? ball_json(*r.rate) : Json(nullptr)},
+          {"terminal_speed", ball_json(r.terminal)},
+          {"coast", ball_json(r.coast)}};
 }
 
 }  // namespace
@@ -128,8 +124,8 @@ Json as_json(const DampingReport& r) {
   json["assumptions"] = r.assumptions;
   json["assumptions_hold"] = r.assumed_hold;
   json["here"] = rate_json(r.here);
-  json["true_rate"] = r.true_rate ? number(*r.true_rate) : Json(nullptr);
-  json["true_terminal_speed"] = r.true_terminal ? number(*r.true_terminal) : Json(nullptr);
+  json["true_rate"] = r.true_rate ? ball_json(*r.true_rate) : Json(nullptr);
+  json["true_terminal_speed"] = r.true_terminal ? ball_json(*r.true_terminal) : Json(nullptr);
   json["rates"] = Json::array();
   for (const DampingAtRate& rate : r.rates) json["rates"].push_back(rate_json(rate));
   json["conventions"] = Json::array();
@@ -137,7 +133,7 @@ Json as_json(const DampingReport& r) {
     const auto from = static_cast<DampingConvention>(i);
     Json one{{"name", name_of(from)}, {"share", print(share_of(from))}};
     one["c"] =
-        r.here.share.sign() == 1 ? number(damping_number(from, r.here.share, r.here.h)) : Json(nullptr);
+        r.here.share.sign() == 1 ? ball_json(damping_number(from, r.here.share, r.here.h)) : Json(nullptr);
     for (int j = 0; j < kDampingConventions; ++j) {
       const auto to = static_cast<DampingConvention>(j);
       one["to"][name_of(to)] = print(converted_damping(from, to));

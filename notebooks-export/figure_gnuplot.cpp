@@ -49,7 +49,7 @@ std::string number_text(double value) {
   return text.data();
 }
 
-std::string quoted(const std::string& text) {
+std::string gnuplot_quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
     if (c == '\'') result += '\'';
@@ -116,13 +116,13 @@ class PanelWriter {
 
   /// A line of text above the panel, so many pixels up.
   static std::string heading(const std::string& text, int up, const std::string& font, Ink ink) {
-    return "set label " + quoted(text) + " at graph 0,graph " +
+    return "set label " + gnuplot_quoted(text) + " at graph 0,graph " +
            number_text(1 + up / static_cast<double>(kPlotHeight)) + " left" + font + " textcolor rgb " +
            rgb(text_colour(ink)) + " front\n";
   }
 
   static std::string axis(const std::string& which, const Figure::Axis& a) {
-    return "set " + which + "label " + quoted(axis_label(a)) + " textcolor rgb " +
+    return "set " + which + "label " + gnuplot_quoted(axis_label(a)) + " textcolor rgb " +
            rgb(text_colour(Ink::black)) + "\n" + (a.logarithmic ? "set" : "unset") + " logscale " + which +
            "\n" + "set " + which + "range [" + number_text(a.low) + ":" + number_text(a.high) + "]\n" +
            tics(which, a);
@@ -140,8 +140,8 @@ class PanelWriter {
     const char* align = l.align == Figure::Align::left    ? "left"
                         : l.align == Figure::Align::right ? "right"
                                                           : "center";
-    return "set label " + quoted(l.text) + " at " + number_text(l.at.x) + "," + number_text(l.at.y) + " " +
-           align + " offset 0," + number_text(l.up) + " textcolor rgb " + rgb(text_colour(l.ink)) +
+    return "set label " + gnuplot_quoted(l.text) + " at " + number_text(l.at.x) + "," + number_text(l.at.y) +
+           " " + align + " offset 0," + number_text(l.up) + " textcolor rgb " + rgb(text_colour(l.ink)) +
            " front\n";
   }
 

@@ -15,10 +15,10 @@ namespace {
 
 using Ink = Figure::Ink;
 
-constexpr std::array<Ink, 5> kInks{Ink::vermillion, Ink::blue, Ink::green, Ink::purple, Ink::orange};
-constexpr int kFine = 200;         // points of a smooth curve
-constexpr int kMostFrames = 2000;  // beyond that there is no picture
-constexpr int kMostMarks = 60;     // beyond that frames are a line
+constexpr std::array<Ink, 5> kFlightInks{Ink::vermillion, Ink::blue, Ink::green, Ink::purple, Ink::orange};
+constexpr int kFine = 200;           // points of a smooth curve
+constexpr int kMostFrames = 2000;    // beyond that there is no picture
+constexpr int kMostFrameMarks = 60;  // beyond that frames are a line
 
 std::string rate_text(const Rational& dt) {
   std::array<char, 40> text{};
@@ -54,7 +54,7 @@ Figure jump_figure(const std::vector<Flight>& flights, const Rational& height, c
   std::vector<Figure::Label> names, error_names;
   for (std::size_t f = 0; f < flights.size(); ++f) {
     const Flight& flight = flights[f];
-    const Ink ink = kInks[f % kInks.size()];
+    const Ink ink = kFlightInks[f % kFlightInks.size()];
     const double dt = flight.dt().to_double();
     const auto last = static_cast<std::int64_t>(std::floor(end / dt * (1 + 1e-12)));
     if (last > kMostFrames)
@@ -72,7 +72,7 @@ Figure jump_figure(const std::vector<Flight>& flights, const Rational& height, c
       best = std::min(best, s);
       top = std::max(top, x);
       bottom = std::min(bottom, x);
-      if (last <= kMostMarks) {
+      if (last <= kMostFrameMarks) {
         arcs.marks.push_back({path.back(), ink});
         errors.marks.push_back({shortfall.back(), ink});
       }

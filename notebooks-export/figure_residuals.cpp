@@ -17,9 +17,9 @@ namespace {
 
 using Ink = Figure::Ink;
 
-constexpr std::array<Ink, 5> kInks{Ink::blue, Ink::green, Ink::purple, Ink::orange, Ink::vermillion};
-constexpr std::size_t kMostCurves = kInks.size();
-constexpr std::size_t kMostMarks = 300;
+constexpr std::array<Ink, 5> kMatchInks{Ink::blue, Ink::green, Ink::purple, Ink::orange, Ink::vermillion};
+constexpr std::size_t kMostCurves = kMatchInks.size();
+constexpr std::size_t kMostResidualMarks = 300;
 
 /// Without its folder, and short enough for a title.
 std::string file_name(const std::string& path) {
@@ -29,12 +29,12 @@ std::string file_name(const std::string& path) {
 }
 
 /// Powers of a thousand below a metre.
-struct Scale {
+struct ResidualScale {
   double factor = 1;
   std::string unit;
 };
 
-Scale scale_for(double largest, const Log& log) {
+ResidualScale scale_for(double largest, const Log& log) {
   if (log.unit != "m") return {1, log.unit};
   if (!(largest > 0)) return {1e3, "mm"};
   double factor = 1;
@@ -59,7 +59,7 @@ Figure::Panel panel(const Log& log, const Identification& found, const std::vect
     for (const Residual& r : rows.back()) largest = std::max(largest, std::fabs(shown(r)));
     if (!rows.back().empty()) end = std::max(end, rows.back().back().time);
   }
-  const Scale scale = scale_for(largest, log);
+  const ResidualScale scale = scale_for(largest, log);
   p.x.label = "time";
   p.x.unit = "s";
   p.y.label = "recorded minus computed";
@@ -76,10 +76,10 @@ Figure::Panel panel(const Log& log, const Identification& found, const std::vect
     Figure::Path path;
     for (const Residual& r : rows[i]) path.push_back({r.time, scale.factor * shown(r)});
     if (path.empty()) continue;
-    if (path.size() <= kMostMarks)
-      for (const Figure::Point& at : path) p.marks.push_back({at, kInks[i]});
-    names.push_back({{end * 1.02, path.back().y}, matches[i]->candidate.str(), kInks[i]});
-    p.curves.push_back({{std::move(path)}, kInks[i], 1, false});
+    if (path.size() <= kMostResidualMarks)
+      for (const Figure::Point& at : path) p.marks.push_back({at, kMatchInks[i]});
+    names.push_back({{end * 1.02, path.back().y}, matches[i]->candidate.str(), kMatchInks[i]});
+    p.curves.push_back({{std::move(path)}, kMatchInks[i], 1, false});
   }
   place_apart(p, std::move(names));
   return p;

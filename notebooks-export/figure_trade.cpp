@@ -11,8 +11,8 @@ namespace {
 
 using Ink = Figure::Ink;
 
-constexpr std::array<Ink, 7> kInks{Ink::blue,   Ink::vermillion, Ink::green, Ink::purple,
-                                   Ink::orange, Ink::sky,        Ink::black};
+constexpr std::array<Ink, 7> kSeriesInks{Ink::blue,   Ink::vermillion, Ink::green, Ink::purple,
+                                         Ink::orange, Ink::sky,        Ink::black};
 
 struct Range {
   double low = 1e300, high = 0;
@@ -102,7 +102,8 @@ Figure::Panel panel(const Trade& trade, std::size_t observable) {
     if (known == families.end() && !is_peer) families.push_back(family);
     // Side by side: the same colour, thinner.
     const double width = s.launched ? 3.0 : s.at_once > 0 ? 1.0 : 1.8;
-    Figure::Curve curve{{}, is_peer ? Ink::grey : kInks[ink % kInks.size()], width, s.format == "f32"};
+    Figure::Curve curve{
+        {}, is_peer ? Ink::grey : kSeriesInks[ink % kSeriesInks.size()], width, s.format == "f32"};
     Figure::Path path;
     for (const SceneOutcome& point : s.points) {
       const double error = point.failed ? 0 : std::fabs(point.errors[observable]);

@@ -13,19 +13,19 @@ namespace shortfall {
 
 namespace {
 
-using Kind = Identification::Kind;
+using FindingKind = Identification::Kind;
 
-const char* kind_word(Kind kind) {
+const char* kind_word(FindingKind kind) {
   switch (kind) {
-    case Kind::map:
+    case FindingKind::map:
       return "map";
-    case Kind::joint:
+    case FindingKind::joint:
       return "joint";
-    case Kind::unequal_steps:
+    case FindingKind::unequal_steps:
       return "unequal-steps";
-    case Kind::resampled:
+    case FindingKind::resampled:
       return "resampled";
-    case Kind::none:
+    case FindingKind::none:
       break;
   }
   return "none";
@@ -50,7 +50,7 @@ const char* break_word(Break::Kind kind) {
 }
 
 /// A number that was found, or a value with how far it can be wrong.
-std::string number(const std::optional<Rational>& exact, const Fitted& fitted) {
+std::string found_number(const std::optional<Rational>& exact, const Fitted& fitted) {
   if (exact) {
     const std::string decimal = exact->significant(12);
     if (Rational::parse(decimal) == *exact) return fmt::format("{:.12g}", exact->to_double());
@@ -94,7 +94,7 @@ std::string parameters_text(const Log& log, const Match& m) {
   const auto put = [&](const std::string& name, const std::optional<Rational>& exact, const Fitted& fitted) {
     if (exact && exact->is_zero()) return;
     if (!exact && fitted.value == 0) return;
-    text += (text.empty() ? "" : ", ") + name + " = " + number(exact, fitted);
+    text += (text.empty() ? "" : ", ") + name + " = " + found_number(exact, fitted);
   };
   put(m.candidate.own_damping ? "c" : "drag c", m.c, m.fit.c);
   put("k", m.k, m.fit.k);
@@ -118,12 +118,12 @@ std::string as_text(const Log& log, const Identification& found, std::size_t mos
     text += fmt::format("  break at row {} (line {}): {}\n", b.row,
                         log.rows[std::min(b.row, log.rows.size() - 1)].line, b.text);
   text += "\n";
-  if (found.kind != Kind::map) {
+  if (found.kind != FindingKind::map) {
     text += "No map: " + found.advice + ".\n";
     for (const Match& m : found.matches)
       text += fmt::format("  {:<32} {:<24} {}\n", m.candidate.str(), difference(found, m),
                           parameters_text(log, m));
-    if (!found.nearest.empty() && found.kind == Kind::none) {
+    if (!found.nearest.empty() && found.kind == FindingKind::none) {
       text += "\nNearest, and refuted\n";
       for (const Match& m : found.nearest)
         text += fmt::format("  {:<32} off by {}\n", m.candidate.str(), difference(found, m));

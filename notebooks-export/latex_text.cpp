@@ -17,7 +17,7 @@ std::string display(const Expr& left, const Expr& right) {
   return text + "\n";
 }
 
-std::string force_words(const Derivation& d) {
+std::string force_latex(const Derivation& d) {
   return d.degree == 0 ? "a constant acceleration $a$"
                        : "the acceleration $f_0 + f_1 t + \\dots$ of degree " + std::to_string(d.degree);
 }
@@ -86,7 +86,7 @@ std::string as_latex(const Derivation& d, const CorrectionKit* kit) {
                      " in t. Needs amsmath" + (kit && kit->needed ? " and booktabs" : "") +
                      ". Written by shortfall; what it prints is yours.\n";
   text += "The shortfall, exact minus computed, of " + latex_escaped(d.integrator) + " under " +
-          force_words(d) + " after $n$ steps of length $h$, at $t = n h$, and its derivation" +
+          force_latex(d) + " after $n$ steps of length $h$, at $t = n h$, and its derivation" +
           (d.proved() ? ", each line of which was proved" : "") + ":\n";
   text += display(name("x(t)") - name("x_n"), d.shortfall_position);
   text += display(name("v(t)") - name("v_n"), d.shortfall_velocity);

@@ -18,6 +18,7 @@
 #include "analysis/program/suggest.hpp"
 #include "analysis/series/step_series.hpp"
 #include "analysis/stability/stability.hpp"
+#include "notebooks-export/example_setting.hpp"
 #include "notebooks-export/modified_text.hpp"
 #include "notebooks-export/notebook_document.hpp"
 #include "notebooks-export/python_expression.hpp"
@@ -26,9 +27,6 @@
 namespace shortfall {
 
 namespace {
-
-const Rational kFrame(1, 50);
-const Rational kGravity(981, 100);
 
 /// The words of a substitution: what is asked, arguments in order, and NAME=VALUE.
 struct Words {
@@ -114,7 +112,8 @@ std::string sources(const Words& w) {
 
 /// jump INTEGRATOR HEIGHT WHAT PLACES: a number of a jump, metres; WHAT:cm and WHAT:mm for other units.
 std::string jump_number(const Words& w) {
-  const Jump j = jump(find_integrator(w.at(1)), {Rational::parse(w.at(2)), kFrame, kGravity, 1, w.given, 0});
+  const Jump j = jump(find_integrator(w.at(1)),
+                      {Rational::parse(w.at(2)), kExampleFrame, kExampleGravity, 1, w.given, 0});
   std::string what = w.at(3);
   Surd scale(1);
   for (const auto& [ending, factor] : {std::pair{std::string(":cm"), 100}, {std::string(":mm"), 1000}}) {
@@ -239,7 +238,7 @@ std::string clock_number(const Words& w) {
 
 /// damping INTEGRATOR WHAT NAME=VALUE: a formula in LaTeX, or a number at 50 frames a second.
 std::string damping_of(const Words& w) {
-  const DampingReport r = damping_report(find_integrator(w.at(1)), w.given, kFrame, kGravity);
+  const DampingReport r = damping_report(find_integrator(w.at(1)), w.given, kExampleFrame, kExampleGravity);
   const std::string& what = w.at(2);
   const std::vector<std::pair<std::string, Expr>> formulas{
       {"share-formula", r.share}, {"terminal-formula", r.terminal}, {"coast-formula", r.coast}};

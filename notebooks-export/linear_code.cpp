@@ -16,16 +16,10 @@ namespace {
 
 constexpr int kParts = 8;                 // steps from 0 to dt in which a root is followed
 constexpr int kRounds = 40;               // of Newton's method
-constexpr int kDigits = 25;               // of a root in the integrator's coefficients
+constexpr int kIrrationalDigits = 25;     // of a root in the integrator's coefficients
 constexpr const char* kReached = "1e-8";  // the last move of a root, relative; it is squared in every round
 
 using Names = std::vector<std::string>;
-
-void collect(const Expr& e, Names& names) {
-  if (e->op == Expression::Op::name && std::ranges::find(names, e->name) == names.end())
-    names.push_back(e->name);
-  for (const Expr& operand : e->operands) collect(operand, names);
-}
 
 class KitWriter {
  public:
@@ -151,7 +145,7 @@ class KitWriter {
       if (std::ranges::any_of(formulas, [&](const Expr& e) { return mentions(e, first); }))
         letters.push_back(first);
     const auto fixed = static_cast<std::ptrdiff_t>(letters.size());
-    for (const Expr& e : formulas) collect(e, letters);
+    for (const Expr& e : formulas) collect_names(e, letters);
     std::sort(letters.begin() + fixed, letters.end());
     for (const std::string& letter : letters)
       if (!defined.contains(letter)) {
@@ -231,7 +225,7 @@ class KitWriter {
     block_.open_routine("flow", {});
     for (const ExtraLetters::Extra& e : kit_.extras)
       if (e.root && names_.contains(e.name) && e.name.find('(') == std::string::npos)
-        assign(e.name, number(Rational::parse(e.root->significant(kDigits))));
+        assign(e.name, number(Rational::parse(e.root->significant(kIrrationalDigits))));
     const auto at_h = [](const Expr& e) { return replace(e, "t", name("h")); };
     const std::string cosine = d_.force.spring ? kit_.letters[kFlowCosine] : "",
                       sine = d_.force.spring ? kit_.letters[kFlowSine] : "";

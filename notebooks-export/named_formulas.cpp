@@ -15,7 +15,7 @@ using Op = Expression::Op;
 
 constexpr std::size_t kLongestFactor = 8;        // of a multiple of a piece: characters
 constexpr std::size_t kLongestCoefficient = 12;  // in the beginning of a piece: characters
-constexpr int kDigits = 6;                       // of a coefficient that is longer
+constexpr int kCoefficientDigits = 6;            // of a coefficient that is longer
 constexpr std::size_t kBeginning = 3;            // terms
 
 /// Names that are no letters of a step: what the motion starts from, and what it is counted by.
@@ -69,7 +69,7 @@ void flatten(const Expr& e, bool minus, std::vector<std::pair<Expr, bool>>& term
 ///                   searched for: no writer of formulas knows decimals
 Expr rounded(const Expr& e, std::vector<std::string>& decimals) {
   if (e->op == Op::number && e->value.str().size() > kLongestCoefficient) {
-    decimals.push_back(e->value.significant(kDigits));
+    decimals.push_back(e->value.significant(kCoefficientDigits));
     return name(std::string(1, static_cast<char>(decimals.size())));
   }
   if (e->op == Op::divide) {
@@ -231,7 +231,7 @@ std::string digest(const Expr& e, const Fraction& f, const std::map<std::string,
   const bool latex = style == Style::latex;
   const auto words = [&](const std::string& text) { return latex ? "\\text{" + text + "}" : text; };
   if (f.is_constant())
-    return (latex ? "" : "about ") + literal_value(e).value_or(Rational()).significant(kDigits) +
+    return (latex ? "" : "about ") + literal_value(e).value_or(Rational()).significant(kCoefficientDigits) +
            words(" (a fraction of " + std::to_string(print(e).size()) + " characters; --full prints it)");
   if (!f.is_polynomial())
     return words("(a quotient of polynomials of " + count(f.numerator()) + " and " + count(f.denominator()) +

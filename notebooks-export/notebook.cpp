@@ -6,6 +6,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/print.hpp"
 #include "notebooks-export/notebook_lecture.hpp"
+#include "notebooks-export/result_text.hpp"
 
 namespace shortfall {
 
@@ -50,11 +51,6 @@ std::string coefficients(const Lecture& l) {
   std::string text;
   for (int c = 0; c <= l.d.degree; ++c) text += (c ? ", " : "") + column_name(2 + c, l.d.degree);
   return "[" + text + "]";
-}
-
-std::string force_words(const Derivation& d) {
-  return d.degree == 0 ? "a constant acceleration"
-                       : "an acceleration that is a polynomial in time of degree " + std::to_string(d.degree);
 }
 
 std::string command(const Lecture& l) {

@@ -29,9 +29,10 @@ std::string title(const Lecture& l, const std::string& subject) {
 }
 
 /// Lines in Python: quantities are lists over the frames, x[n] and v[k + 1].
-class Lines {
+class PythonLines {
  public:
-  Lines(const Lecture& l, std::vector<std::string> quantities) : l_(l), quantities_(std::move(quantities)) {
+  PythonLines(const Lecture& l, std::vector<std::string> quantities)
+      : l_(l), quantities_(std::move(quantities)) {
     wording_.name = [this](const std::string& name) { return named(name); };
     wording_.whole = {"n", "k"};
   }
@@ -81,7 +82,7 @@ void tell_derivation(Lecture& l) {
   std::vector<std::string> quantities = l.step.carried();
   for (const std::string& s : subjects)
     if (std::ranges::find(quantities, s) == quantities.end()) quantities.push_back(s);
-  const Lines lines(l, quantities);
+  const PythonLines lines(l, quantities);
 
   l.document.text(
       "derivation",

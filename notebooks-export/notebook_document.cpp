@@ -84,10 +84,10 @@ std::string term_latex(const Expr& term) {
 }
 
 /// Lays terms out on lines of an aligned environment.
-class Lines {
+class AlignedLines {
  public:
   /// param   left  what stands before the first term, with its width in characters
-  Lines(const std::string& left, int width) : text_(left + "{}& "), column_(width) {}
+  AlignedLines(const std::string& left, int width) : text_(left + "{}& "), column_(width) {}
 
   void add(const Expr& e) {
     if (e->op == Op::add || e->op == Op::subtract) {
@@ -207,14 +207,14 @@ std::string markdown_escaped(const std::string& text) {
 
 std::string displayed(const Expr& left, const Expr& right) {
   const Expr terms = spoken(flattened(right));
-  Lines lines(latex(left) + " =", width(left) + 3);
+  AlignedLines lines(latex(left) + " =", width(left) + 3);
   lines.add(terms);
   return lines.broken() ? lines.str() : "$$ " + latex(left) + " = " + latex(terms) + " $$";
 }
 
 std::string displayed(const Expr& e) {
   const Expr terms = flattened(e);
-  Lines lines("", 0);
+  AlignedLines lines("", 0);
   lines.add(terms);
   return lines.broken() ? lines.str() : "$$ " + latex(terms) + " $$";
 }

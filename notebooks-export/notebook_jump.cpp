@@ -3,6 +3,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/jump.hpp"
+#include "notebooks-export/example_setting.hpp"
 #include "notebooks-export/notebook_lecture.hpp"
 
 namespace shortfall {
@@ -10,16 +11,14 @@ namespace shortfall {
 namespace {
 
 const Rational kHeights[] = {Rational(2, 5), Rational(17, 10)};
-const Rational kGravity(981, 100);
-const Rational kFrame(1, 50);
 
 /// The jump to a height, or nothing where it is no plain rise and fall.
 std::optional<Jump> plain_jump(const Lecture& l, const Rational& height) {
-  JumpQuestion question{height, kFrame, kGravity, l.d.substeps, l.given, 0};
+  JumpQuestion question{height, kExampleFrame, kExampleGravity, l.d.substeps, l.given, 0};
   try {
     Jump j = jump(l.program, question);
     // A tie cannot be decided from a launch velocity of 60 digits.
-    const bool plain = j.lifts_off && !j.tie && Surd(j.best_frame.n * kFrame) < j.ideal_time * Surd(2);
+    const bool plain = j.lifts_off && !j.tie && Surd(j.best_frame.n * kExampleFrame) < j.ideal_time * Surd(2);
     return plain ? std::optional(std::move(j)) : std::nullopt;
   } catch (const Error&) {
     return std::nullopt;  // the lecture does without its example
@@ -120,7 +119,7 @@ void tell_corrected(Lecture& l, const std::vector<Jump>& jumps) {
   }
   text += ".";
   if (by && l.step.parameters().empty() && l.given.empty() && jumps.front().correction.exists) {
-    const std::string velocity = jumps.front().correction.value(kGravity).decimal(4);
+    const std::string velocity = jumps.front().correction.value(kExampleGravity).decimal(4);
     text += " With $a = -g$ it adds " + inlined(by) + " $= " + velocity + "$ m/s to every launch.";
     code = "a, h = -g, dt\nassert rounded(" + l.python(by) + ", 4) == \"" + velocity + "\"\n" + code;
   }

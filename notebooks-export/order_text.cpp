@@ -35,7 +35,7 @@ std::string headline(const OrderReport& r) {
   return text;
 }
 
-std::string exactness(const Order& order) {
+std::string order_exactness(const Order& order) {
   return order.digits == 0 ? "proved, all conditions hold exactly"
                            : "to " + std::to_string(order.digits) +
                                  " digits after the point, as the coefficients are printed";
@@ -186,7 +186,7 @@ bool OrderReport::cut_short() const {
 }
 
 std::string as_text(const OrderReport& r, const SeriesSource& source, Style style) {
-  std::string text = r.order.integrator + ": " + headline(r) + "\n  " + exactness(r.order) + "\n";
+  std::string text = r.order.integrator + ": " + headline(r) + "\n  " + order_exactness(r.order) + "\n";
   for (const std::string& note : r.order.notes) text += "  " + note + "\n";
   text += "\n  forces                  order        conditions up to it\n";
   for (const OrderOfClass& c : r.order.classes) {

@@ -13,11 +13,6 @@ namespace {
 std::string tex(const Expr& e) { return print(e, Style::latex); }
 std::string equation(const std::string& left, const Expr& right) { return left + " = " + tex(right); }
 
-std::string force_words(const Derivation& d) {
-  return d.degree == 0 ? "a constant acceleration"
-                       : "an acceleration that is a polynomial in time of degree " + std::to_string(d.degree);
-}
-
 std::string where_words(const Correction& c) {
   switch (c.kind) {
     case Correction::Kind::launch:

@@ -6,6 +6,7 @@
 #include <sstream>
 
 #include "analysis/program/print.hpp"
+#include "notebooks-export/double_text.hpp"
 #include "notebooks-export/text_table.hpp"
 
 namespace shortfall {
@@ -13,10 +14,6 @@ namespace shortfall {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string digits(double value, int significant) {
-  return Rational::from_double(value).significant(significant);
-}
 
 /// As it is read back to the last bit.
 std::string all_digits(double value) {
@@ -37,11 +34,12 @@ std::string table(const Portrait& p) {
   for (std::size_t i = 0; i < p.orbits.size(); ++i) {
     const PortraitOrbit& o = p.orbits[i];
     const PortraitQuestion::Start& start = p.question.starts[i];
-    rows.push_back({"  " + start.x.str() + ", " + start.v.str(), digits(o.energy.front(), 6),
-                    digits(PortraitOrbit::largest_change(o.energy), 3), digits(at_the_end(o.energy), 3)});
+    rows.push_back({"  " + start.x.str() + ", " + start.v.str(), double_text(o.energy.front(), 6),
+                    double_text(PortraitOrbit::largest_change(o.energy), 3),
+                    double_text(at_the_end(o.energy), 3)});
     if (modified)
-      rows.back().insert(rows.back().end(), {digits(o.modified.front(), 6),
-                                             digits(PortraitOrbit::largest_change(o.modified), 3)});
+      rows.back().insert(rows.back().end(), {double_text(o.modified.front(), 6),
+                                             double_text(PortraitOrbit::largest_change(o.modified), 3)});
   }
   return aligned_table(rows);
 }

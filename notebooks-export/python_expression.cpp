@@ -20,9 +20,9 @@ struct Piece {
   Binding binding;
 };
 
-class Writer {
+class PythonWriter {
  public:
-  explicit Writer(const PythonWording& wording) : wording_(wording) {}
+  explicit PythonWriter(const PythonWording& wording) : wording_(wording) {}
 
   Piece of(const Expr& e) const {
     switch (e->op) {
@@ -100,7 +100,7 @@ class Writer {
     const bool before = to->op == Op::subtract && is_number(to->operands[1], 1);
     const std::string end = before ? of(to->operands[0]).text : of(to).text + " + 1";
     const std::string begin = is_number(e->operands[0], 0) ? "" : of(e->operands[0]).text + ", ";
-    return {"sum(" + Writer(inside).of(e->operands[2]).text + " for " + wording_.name(e->name) +
+    return {"sum(" + PythonWriter(inside).of(e->operands[2]).text + " for " + wording_.name(e->name) +
                 " in range(" + begin + end + "))",
             kAtom};
   }
@@ -144,7 +144,7 @@ std::vector<std::size_t> signs(const std::string& text) {
 
 }  // namespace
 
-std::string python(const Expr& e, const PythonWording& wording) { return Writer(wording).of(e).text; }
+std::string python(const Expr& e, const PythonWording& wording) { return PythonWriter(wording).of(e).text; }
 
 bool is_whole(const Expr& e, const PythonWording& wording) {
   const auto all = [&](std::size_t from) {

@@ -8,13 +8,14 @@
 
 #include "analysis/program/print.hpp"
 #include "analysis/program/transform.hpp"
+#include "notebooks-export/comma_list.hpp"
 
 namespace shortfall {
 
 namespace {
 
 /// Python's keywords, and what start, step and finish need.
-const std::set<std::string> kTaken{
+const std::set<std::string> kTakenInPython{
     "False",    "None",   "True",  "and",  "as",     "assert",   "async",   "await",    "break", "class",
     "continue", "def",    "del",   "elif", "else",   "except",   "finally", "for",      "from",  "global",
     "if",       "import", "in",    "is",   "lambda", "nonlocal", "not",     "or",       "pass",  "raise",
@@ -111,12 +112,6 @@ bool mentions_call(const Expr& e) {
   return e->op == Expression::Op::call || std::ranges::any_of(e->operands, mentions_call);
 }
 
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 }  // namespace
 
 constexpr int kRootDigits = 20;  // not used: irrational coefficients are refused below
@@ -168,7 +163,8 @@ PythonStep::PythonStep(const Program& program, const Values& given, int substeps
 void PythonStep::add_name(const std::string& name, bool local) {
   if (name == "x" || name == "v" || names_.contains(name)) return;
   const auto is_used = [&](const std::string& text) {
-    return kTaken.contains(text) || (!local && (kTakenByCells.contains(text) || is_force_letter(text))) ||
+    return kTakenInPython.contains(text) ||
+           (!local && (kTakenByCells.contains(text) || is_force_letter(text))) ||
            std::ranges::any_of(names_, [&](const auto& entry) { return entry.second == text; });
   };
   std::string text = name;
@@ -203,7 +199,7 @@ bool PythonStep::has_solve() const {
 std::string PythonStep::state() const {
   std::vector<std::string> words;
   for (const std::string& c : carried_) words.push_back(name(c));
-  return joined(words);
+  return comma_list(words);
 }
 
 std::string PythonStep::more() const {
@@ -223,9 +219,9 @@ void PythonStep::write_solve(const Statement& solve, int indent, std::string& te
   const std::string blanks(static_cast<std::size_t>(indent), ' ');
   std::vector<std::string> unknowns;
   for (const Unknown& u : solve.unknowns) unknowns.push_back(name(u.name));
-  text += "\n" + blanks + "def stage(" + joined(unknowns) + "):\n" + blanks + "    return [\n";
+  text += "\n" + blanks + "def stage(" + comma_list(unknowns) + "):\n" + blanks + "    return [\n";
   for (const Unknown& u : solve.unknowns) text += wrapped_call(indent + 8, "", u.value, wording_) + ",\n";
-  text += blanks + "    ]\n\n" + blanks + "[" + joined(unknowns) + "] = solved(stage, " +
+  text += blanks + "    ]\n\n" + blanks + "[" + comma_list(unknowns) + "] = solved(stage, " +
           std::to_string(unknowns.size()) + ")\n";
 }
 

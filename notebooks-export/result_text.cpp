@@ -3,11 +3,13 @@
 
 #include <algorithm>
 
+#include "notebooks-export/text_table.hpp"
+
 namespace shortfall {
 
 namespace {
 
-std::string force_words(const Derivation& d, Style style) {
+std::string force_with_letters(const Derivation& d, Style style) {
   if (d.degree == 0) return "constant acceleration a";
   Expr f = name("f0");
   for (int k = 1; k <= std::min(d.degree, 3); ++k)
@@ -24,12 +26,6 @@ std::string shown(const Expr& e, Style style) {
   if (style != Style::latex && static_cast<int>(text.size()) > kLongestFormula)
     return "a formula of " + std::to_string(text.size()) + " characters (--json or --latex shows it)";
   return text;
-}
-
-/// How many places a text takes on a terminal: characters, not bytes.
-std::size_t width_of(const std::string& text) {
-  return static_cast<std::size_t>(
-      std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
 void append_steps(std::string& text, const Derivation& d, Style style) {
@@ -58,11 +54,16 @@ std::string letters_note(const Derivation& d) {
   std::string text = d.substeps > 1 ? "h is the frame; it is stepped in " + std::to_string(d.substeps) +
                                           " substeps of h/" + std::to_string(d.substeps) + ". "
                                     : "";
-  return text +
-         "n steps, t = n h. Shortfall = exact - computed: positive means too low. " + exactness(d.digits) + "\n";
+  return text + "n steps, t = n h. Shortfall = exact - computed: positive means too low. " +
+         exactness(d.digits) + "\n";
 }
 
 }  // namespace
+
+std::string force_words(const Derivation& d) {
+  return d.degree == 0 ? "a constant acceleration"
+                       : "an acceleration that is a polynomial in time of degree " + std::to_string(d.degree);
+}
 
 std::string exactness(int digits) {
   return digits == 0 ? "All formulas are exact."
@@ -106,7 +107,7 @@ std::string as_text(const CorrectionKit& kit, const Derivation& d, Style style) 
 }
 
 std::string as_text(const Derivation& d, const CorrectionKit* kit, Style style) {
-  std::string text = d.integrator + ", " + force_words(d, style) + "\n" + letters_note(d) + "\n";
+  std::string text = d.integrator + ", " + force_with_letters(d, style) + "\n" + letters_note(d) + "\n";
   text += "  " + line("position  x_n      ", d.position, style) + "\n";
   text += "  " + line("velocity  v_n      ", d.velocity, style) + "\n";
   text += "  " + line("shortfall x(t)-x_n ", d.shortfall_position, style) + "\n";

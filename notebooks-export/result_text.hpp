@@ -16,6 +16,9 @@ std::string as_text(const Derivation& derivation, const CorrectionKit* kit, Styl
 /// The correction kit alone.
 std::string as_text(const CorrectionKit& kit, const Derivation& derivation, Style style);
 
+/// The force as a sentence names it: "a constant acceleration".
+std::string force_words(const Derivation& derivation);
+
 /// A formula for a terminal or a file, with its quantity in front: "x(n) = x₀ + v₀ t + ½ a t²".
 std::string line(const std::string& left, const Expr& right, Style style);
 

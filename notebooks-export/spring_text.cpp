@@ -3,16 +3,18 @@
 
 #include <nlohmann/json.hpp>
 
+#include "notebooks-export/text_table.hpp"
+
 namespace shortfall {
 
 namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr int kShown = 8;
-constexpr int kInJson = 30;
+constexpr int kSpringDigits = 8;
+constexpr int kSpringDigitsInJson = 30;
 
-std::string digits(const Ball& b, int count = kShown) {
+std::string digits_or_zero(const Ball& b, int count = kSpringDigits) {
   // A ball around 0 that is as narrow as the working precision allows.
   if (b.is_zero() || (b.contains_zero() && (abs(b) - Ball(Rational(1, 10).pow(40), b.bits())).sign() == -1))
     return "0";
@@ -20,12 +22,7 @@ std::string digits(const Ball& b, int count = kShown) {
 }
 
 std::string short_number(const Rational& value, bool rounded) {
-  return rounded || value.digits() > 12 ? value.significant(kShown) : value.str();
-}
-
-std::string padded(std::string text, std::size_t width) {
-  if (text.size() < width) text.append(width - text.size(), ' ');
-  return text;
+  return rounded || value.digits() > 12 ? value.significant(kSpringDigits) : value.str();
 }
 
 std::string stability_of(const EffectiveSpring& e) {
@@ -37,24 +34,28 @@ std::string row(const char* what, const std::string& effective, const std::strin
   return "  " + padded(what, 26) + padded(effective, 22) + truth + "\n";
 }
 
-std::string optional_digits(const std::optional<Ball>& b) { return b ? digits(*b) : "none: no oscillation"; }
+std::string optional_digits(const std::optional<Ball>& b) {
+  return b ? digits_or_zero(*b) : "none: no oscillation";
+}
 
 std::string substeps(const SpringQuestion& q) {
   if (q.substeps == 1) return "";
   return ", " + std::to_string(q.substeps) + " substeps" + (q.held ? ", the force held over them" : "");
 }
 
-Json number(const Ball& b) {
-  return {{"decimal", digits(b, kInJson)}, {"digits", kInJson}, {"radius", b.radius()}};
+Json certain_json(const Ball& b) {
+  return {{"decimal", digits_or_zero(b, kSpringDigitsInJson)},
+          {"digits", kSpringDigitsInJson},
+          {"radius", b.radius()}};
 }
 
 Json spring_json(const EffectiveSpring& e) {
-  const auto optional = [](const std::optional<Ball>& b) { return b ? number(*b) : Json(nullptr); };
-  return {{"trace", number(e.trace)},
-          {"determinant", number(e.determinant)},
+  const auto optional = [](const std::optional<Ball>& b) { return b ? certain_json(*b) : Json(nullptr); };
+  return {{"trace", certain_json(e.trace)},
+          {"determinant", certain_json(e.determinant)},
           {"oscillates", e.oscillates},
           {"stable", e.stable ? Json(*e.stable) : Json(nullptr)},
-          {"growth_per_second", number(e.growth)},
+          {"growth_per_second", certain_json(e.growth)},
           {"frequency", optional(e.frequency)},
           {"damping_ratio", optional(e.damping_ratio)}};
 }
@@ -75,23 +76,24 @@ std::string as_text(const SpringReport& r, const SpringReport& native, Style sty
   text += row("frequency, Hz", optional_digits(r.effective.frequency), optional_digits(r.truth.frequency));
   text += row("damping ratio", optional_digits(r.effective.damping_ratio),
               optional_digits(r.truth.damping_ratio));
-  text += row("amplitude after 1 s, of 1", digits(r.effective.growth), digits(r.truth.growth));
-  text += row("T", digits(r.effective.trace), digits(r.truth.trace));
-  text += row("D", digits(r.effective.determinant), digits(r.truth.determinant));
+  text +=
+      row("amplitude after 1 s, of 1", digits_or_zero(r.effective.growth), digits_or_zero(r.truth.growth));
+  text += row("T", digits_or_zero(r.effective.trace), digits_or_zero(r.truth.trace));
+  text += row("D", digits_or_zero(r.effective.determinant), digits_or_zero(r.truth.determinant));
   text +=
       "\nThe same spring as engines do it themselves, implicitly: v := (v - h k x)/(1 + h c + h^2 k), x := x "
       "+ h v" +
       std::string(q.substeps > 1 ? ", h = dt/" + std::to_string(q.substeps) : "") + "\n  " +
       stability_of(native.effective) + "; frequency " + near + optional_digits(native.effective.frequency) +
       " Hz, damping ratio " + near + optional_digits(native.effective.damping_ratio) +
-      ", amplitude after 1 s " + near + digits(native.effective.growth) + "\n";
+      ", amplitude after 1 s " + near + digits_or_zero(native.effective.growth) + "\n";
   if (r.kit) {
     text += "\nGive it instead, and every frame is on the true motion\n";
     for (const NumericCorrection& c : r.kit->corrections) {
       text += "  " + c.target + " := ";
       bool first = true;
       for (const auto& [value, letter] : c.terms) {
-        std::string term = value.decimal.value_or(digits(value.ball, 12));
+        std::string term = value.decimal.value_or(digits_or_zero(value.ball, 12));
         const bool minus = term.starts_with('-');
         if (minus) term.erase(0, 1);
         text += (first ? (minus ? "-" : "") : (minus ? " - " : " + ")) + term +

@@ -11,14 +11,12 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr int kDigits = 50;
-
 Json number_json(const RealRoot& r) {
   Json json;
   const auto formula = radical_formula(r);
   json["formula"] = formula ? Json(print(*formula)) : Json(nullptr);
-  json["decimal"] = r.significant(kDigits);
-  json["digits"] = kDigits;
+  json["decimal"] = r.significant(kStabilityDigits);
+  json["digits"] = kStabilityDigits;
   json["polynomial"] = print(polynomial_formula(r.polynomial(), "x"));
   if (r.is_rational()) {
     json["interval"] = {r.low().str(), r.low().str()};

@@ -11,13 +11,12 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kDigits = 50;
 constexpr int kShortDigits = 20;
 constexpr std::size_t kWidestFormula = 200;
 
-class Writer {
+class StabilityWriter {
  public:
-  Writer(const Stability& s, Style style) : s_(s), style_(style) {}
+  StabilityWriter(const Stability& s, Style style) : s_(s), style_(style) {}
 
   std::string text() {
     head();
@@ -92,7 +91,7 @@ class Writer {
     }
     if (w.windows.back().to) line("beyond", "unstable for every larger z");
     if (!s_.limit()) return;
-    line("limit", "z = " + value_words(*s_.limit(), style_, kDigits));
+    line("limit", "z = " + value_words(*s_.limit(), style_, kStabilityDigits));
     if (!s_.limit()->is_rational()) line("", isolation_words(*s_.limit(), style_));
     line("", "steps a period: more than " + steps_a_period());
     at_limit();
@@ -268,6 +267,8 @@ class Writer {
 
 }  // namespace
 
-std::string as_text(const Stability& stability, Style style) { return Writer(stability, style).text(); }
+std::string as_text(const Stability& stability, Style style) {
+  return StabilityWriter(stability, style).text();
+}
 
 }  // namespace shortfall

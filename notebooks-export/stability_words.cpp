@@ -26,7 +26,7 @@ FormulaLetters letters_of(const Amplification& a, StabilityLetters letters) {
   return result;
 }
 
-std::string trimmed(const std::string& decimal) {
+std::string without_zeros_behind_point(const std::string& decimal) {
   if (decimal.find('.') == std::string::npos) return decimal;
   const std::size_t last = decimal.find_last_not_of('0');
   return decimal.substr(0, decimal[last] == '.' ? last : last + 1);
@@ -87,7 +87,8 @@ std::string algebraic_text(const Algebraic& a, Style style) {
 }
 
 std::string value_words(const RealRoot& r, Style style, int digits) {
-  const std::string decimal = r.is_rational() ? trimmed(r.significant(digits)) : r.significant(digits);
+  const std::string decimal =
+      r.is_rational() ? without_zeros_behind_point(r.significant(digits)) : r.significant(digits);
   const auto formula = radical_formula(r);
   if (!formula) return decimal;
   const std::string text = print(*formula, style);

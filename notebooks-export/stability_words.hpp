@@ -15,6 +15,9 @@ enum class StabilityLetters {
   factors,   ///< h^2*w^2 and h*c: as a step would write them, for programs
 };
 
+/// Of a limit of stability that has no short formula.
+inline constexpr int kStabilityDigits = 50;
+
 /// A rational function of y = h^2 w^2 and d = c h, see Amplification.
 Expr stability_formula(const Fraction& f, const Amplification& a, StabilityLetters letters);
 

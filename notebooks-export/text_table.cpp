@@ -5,15 +5,15 @@
 
 namespace shortfall {
 
-namespace {
-
-/// How many characters.
 std::size_t width_of(const std::string& text) {
   return static_cast<std::size_t>(
       std::ranges::count_if(text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
 }
 
-}  // namespace
+std::string padded(std::string text, std::size_t width) {
+  if (const std::size_t own = width_of(text); own < width) text.append(width - own, ' ');
+  return text;
+}
 
 std::string aligned_table(const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::size_t> widths;

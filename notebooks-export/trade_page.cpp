@@ -7,7 +7,7 @@ namespace shortfall {
 
 namespace {
 
-std::string step_text(const Trade& trade, const SceneOutcome& o) {
+std::string step_words(const Trade& trade, const SceneOutcome& o) {
   if (o.tolerance > 0) return "tolerance " + error_text(o.tolerance, "");
   return short_number(o.choice.frame) + " " + trade.scene.units.time +
          (o.choice.substeps > 1 ? " / " + std::to_string(o.choice.substeps) : "");
@@ -23,7 +23,7 @@ void tell_answer(PageDocument& page, const Trade& trade) {
   const TradeSeries& s = trade.series[best->series];
   const SceneOutcome& o = s.points[best->point];
   text += "The cheapest that meets every tolerance: <strong>" + html_escaped(s.label) +
-          "</strong> with a step of " + html_escaped(step_text(trade, o)) + ": " +
+          "</strong> with a step of " + html_escaped(step_words(trade, o)) + ": " +
           std::to_string(o.evaluations) + " evaluations of the force" +
           (trade.timed ? ", " + html_escaped(duration_text(o.nanoseconds)) + " for the whole scene"
                        : std::string()) +
@@ -46,7 +46,7 @@ void tell_points(PageDocument& page, const Trade& trade) {
   std::vector<std::vector<std::string>> rows;
   for (const TradeSeries& s : trade.series)
     for (const SceneOutcome& o : s.points) {
-      std::vector<std::string> row{s.label, step_text(trade, o), std::to_string(o.steps),
+      std::vector<std::string> row{s.label, step_words(trade, o), std::to_string(o.steps),
                                    std::to_string(o.evaluations)};
       if (trade.timed) row.push_back(o.failed ? "" : duration_text(o.nanoseconds));
       for (std::size_t i = 0; i < trade.scene.observables.size(); ++i)

@@ -12,7 +12,7 @@ namespace shortfall {
 
 namespace {
 
-std::string number(const char* format, double value) {
+std::string formatted(const char* format, double value) {
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), format, value);
   return text.data();
@@ -23,16 +23,16 @@ std::string cost_text(const Trade& trade, const SceneOutcome& o) {
 }
 
 std::string step_text(const Trade& trade, const SceneOutcome& o) {
-  if (o.tolerance > 0) return "tolerance " + number("%.0e", o.tolerance);
+  if (o.tolerance > 0) return "tolerance " + formatted("%.0e", o.tolerance);
   return short_number(o.choice.frame) + " " + trade.scene.units.time;
 }
 
 /// Labels hold commas, so they stand in quotes.
-std::string quoted(const std::string& text) { return "\"" + text + "\""; }
+std::string csv_quoted(const std::string& text) { return "\"" + text + "\""; }
 
 std::string order_text(const TradeSeries& s, std::size_t observable) {
   const auto& order = s.orders[observable];
-  return order ? number("%.2f", order->order) : "-";
+  return order ? formatted("%.2f", order->order) : "-";
 }
 
 std::string failures(const Trade& trade) {
@@ -61,16 +61,16 @@ nlohmann::ordered_json finite(double value) {
 }  // namespace
 
 std::string duration_text(double ns) {
-  if (ns < 1e3) return number("%.0f ns", ns);
-  if (ns < 1e6) return number("%.3g us", ns / 1e3);
-  if (ns < 1e9) return number("%.3g ms", ns / 1e6);
-  return number("%.3g s", ns / 1e9);
+  if (ns < 1e3) return formatted("%.0f ns", ns);
+  if (ns < 1e6) return formatted("%.3g us", ns / 1e3);
+  if (ns < 1e9) return formatted("%.3g ms", ns / 1e6);
+  return formatted("%.3g s", ns / 1e9);
 }
 
-std::string short_number(const Rational& value) { return number("%.6g", value.to_double()); }
+std::string short_number(const Rational& value) { return formatted("%.6g", value.to_double()); }
 
 std::string error_text(double value, const std::string& unit) {
-  return number("%.3g", value) + (unit.empty() ? "" : " " + unit);
+  return formatted("%.3g", value) + (unit.empty() ? "" : " " + unit);
 }
 
 CheapestPoints cheapest_points(const Trade& trade) {
@@ -137,17 +137,17 @@ std::string as_csv(const Trade& trade) {
   std::string text =
       "series,integrator,format,launched,step,substeps,tolerance,steps,evaluations,nanoseconds,failed";
   for (const SceneObservable& o : trade.scene.observables)
-    text += "," + quoted(o.name + (o.unit.empty() ? "" : " / " + o.unit));
+    text += "," + csv_quoted(o.name + (o.unit.empty() ? "" : " / " + o.unit));
   text += "\n";
   for (const TradeSeries& s : trade.series)
     for (const SceneOutcome& o : s.points) {
-      text += quoted(s.label) + "," + s.integrator + "," + s.format + "," + (s.launched ? "1" : "0") + "," +
-              number("%.17g", o.choice.frame.to_double()) + "," + std::to_string(o.choice.substeps) + "," +
-              number("%.3g", o.tolerance) + "," + std::to_string(o.steps) + "," +
-              std::to_string(o.evaluations) + "," + number("%.6g", o.nanoseconds) + "," +
-              (o.failed ? quoted(o.why) : "");
+      text += csv_quoted(s.label) + "," + s.integrator + "," + s.format + "," + (s.launched ? "1" : "0") +
+              "," + formatted("%.17g", o.choice.frame.to_double()) + "," + std::to_string(o.choice.substeps) +
+              "," + formatted("%.3g", o.tolerance) + "," + std::to_string(o.steps) + "," +
+              std::to_string(o.evaluations) + "," + formatted("%.6g", o.nanoseconds) + "," +
+              (o.failed ? csv_quoted(o.why) : "");
       for (std::size_t i = 0; i < trade.scene.observables.size(); ++i)
-        text += "," + (o.failed ? std::string() : number("%.9g", o.errors[i]));
+        text += "," + (o.failed ? std::string() : formatted("%.9g", o.errors[i]));
       text += "\n";
     }
   return text;

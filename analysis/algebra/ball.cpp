@@ -10,6 +10,7 @@
 #include "analysis/algebra/arb.hpp"
 #include "analysis/algebra/decimal.hpp"
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/flint_integer.hpp"
 #include "analysis/algebra/gmp.hpp"
 #include "analysis/algebra/pi.hpp"
 
@@ -42,19 +43,6 @@ struct FlintRational {
   fmpq_t number;
 };
 
-struct FlintInteger {
-  FlintInteger() { fmpz_init(number); }
-  FlintInteger(const FlintInteger&) = delete;
-  FlintInteger& operator=(const FlintInteger&) = delete;
-  ~FlintInteger() { fmpz_clear(number); }
-  mpz_class gmp() const {
-    mpz_class z;
-    fmpz_get_mpz(z.get_mpz_t(), number);
-    return z;
-  }
-  fmpz_t number;
-};
-
 template <class Function>
 Ball applied(Function function, const Ball& x) {
   Ball result(0, x.bits());
@@ -74,7 +62,7 @@ mpz_class decimal_exponent(const Ball& x) {
   logarithm /= ten;
   FlintInteger floor;
   arf_floor(arb_midref(raw(logarithm)), arb_midref(raw(logarithm)));
-  arf_get_fmpz(floor.number, arb_midref(raw(logarithm)), ARF_RND_FLOOR);
+  arf_get_fmpz(floor.value, arb_midref(raw(logarithm)), ARF_RND_FLOOR);
   return floor.gmp();
 }
 
@@ -212,16 +200,16 @@ std::optional<std::string> Ball::significant(int digits) const {
     Ball scaled(0, bits);
     const mpz_class shift = digits - 1 - exponent;
     FlintInteger power;
-    fmpz_set_mpz(power.number, shift.get_mpz_t());
+    fmpz_set_mpz(power.value, shift.get_mpz_t());
     Ball ten(10, bits);
-    arb_pow_fmpz(raw(scaled), raw(ten), power.number, bits);
+    arb_pow_fmpz(raw(scaled), raw(ten), power.value, bits);
     arb_mul(raw(scaled), raw(scaled), raw(*this), bits);
     arb_abs(raw(scaled), raw(scaled));
     // Nearest whole number: the floor of scaled + 1/2, when that is the same all over the ball.
     scaled += Ball(Rational(1, 2), bits);
     arb_floor(raw(scaled), raw(scaled), bits);
     FlintInteger nearest;
-    if (!arb_get_unique_fmpz(nearest.number, raw(scaled))) {
+    if (!arb_get_unique_fmpz(nearest.value, raw(scaled))) {
       // An exact number half way between two decimals: a division by a power of ten cannot tell.
       constexpr long kShort = 5000;
       if (is_exact() && exponent.fits_slong_p() && std::abs(exponent.get_si()) < kShort)
@@ -249,15 +237,15 @@ std::string Ball::radius() const {
   const mpz_class exponent = decimal_exponent(r) - 1;
   FlintInteger power;
   const mpz_class shift = -exponent;
-  fmpz_set_mpz(power.number, shift.get_mpz_t());
+  fmpz_set_mpz(power.value, shift.get_mpz_t());
   Ball scaled(10, 128);
-  arb_pow_fmpz(raw(scaled), raw(scaled), power.number, 128);
+  arb_pow_fmpz(raw(scaled), raw(scaled), power.value, 128);
   scaled *= r;
   // Upwards to a whole number of two or three digits.
   FlintInteger up;
   arf_struct* middle = arb_midref(raw(scaled));
   arb_get_ubound_arf(middle, raw(scaled), 64);
-  arf_get_fmpz(up.number, middle, ARF_RND_CEIL);
+  arf_get_fmpz(up.value, middle, ARF_RND_CEIL);
   mpz_class whole = up.gmp();
   mpz_class place = exponent + 1;
   while (whole >= 100) {

@@ -25,7 +25,10 @@ class Fraction {
   const Polynomial& numerator() const& { return numerator_; }
   const Polynomial& denominator() const& { return is_polynomial() ? one() : denominator_; }
   Polynomial numerator() && { return std::move(numerator_); }
-  Polynomial denominator() && { return is_polynomial() ? one() : std::move(denominator_); }
+  Polynomial denominator() && {
+    if (is_polynomial()) return one();
+    return std::move(denominator_);
+  }
   bool is_zero() const { return numerator_.is_zero(); }
   bool is_one() const { return is_polynomial() && numerator_ == one(); }
   bool is_polynomial() const { return denominator_.is_zero(); }

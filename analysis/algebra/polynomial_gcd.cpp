@@ -4,6 +4,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/flint.hpp"
+#include "analysis/algebra/flint_integer.hpp"
 #include "analysis/algebra/gmp.hpp"
 #include "analysis/algebra/polynomial.hpp"
 
@@ -28,22 +29,6 @@ class Ring {
  private:
   std::vector<Letter> letters_;
   fmpz_mpoly_ctx_t context_;
-};
-
-struct FlintInteger {
-  FlintInteger() { fmpz_init(value); }
-  FlintInteger(const FlintInteger&) = delete;
-  FlintInteger& operator=(const FlintInteger&) = delete;
-  ~FlintInteger() { fmpz_clear(value); }
-  mpz_class gmp() const {
-    mpz_class z;
-    fmpz_get_mpz(z.get_mpz_t(), value);
-    return z;
-  }
-  Rational rational() const {
-    return fmpz_fits_si(value) ? Rational(fmpz_get_si(value)) : shortfall::rational(gmp());
-  }
-  fmpz_t value;
 };
 
 class FlintPolynomial {

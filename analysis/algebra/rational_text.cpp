@@ -18,7 +18,7 @@ constexpr long kMostDigits = 10'000;
 constexpr long kHopeless = 100'000;
 
 /// The text, quoted, short and printable.
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   constexpr std::size_t kShown = 40;
   std::string shown(text.substr(0, kShown));
   for (char& c : shown)
@@ -27,13 +27,13 @@ std::string quoted(std::string_view text) {
 }
 
 [[noreturn]] void refuse_length(std::string_view text) {
-  throw BadInput(quoted(text) + " has more than 10,000 digits, which is our limit");
+  throw BadInput(in_quotes(text) + " has more than 10,000 digits, which is our limit");
 }
 
 [[noreturn]] void refuse(std::string_view text) {
   if (text.find_first_of(" \t\r\n") != std::string_view::npos)
-    throw BadInput(quoted(text) + " is not a number: there is a space in it");
-  throw BadInput(quoted(text) + " is not a number; a number looks like 3, -1/50, 0.02 or 1.5e-3");
+    throw BadInput(in_quotes(text) + " is not a number: there is a space in it");
+  throw BadInput(in_quotes(text) + " is not a number; a number looks like 3, -1/50, 0.02 or 1.5e-3");
 }
 
 std::string_view leading_digits(std::string_view& rest) {
@@ -71,7 +71,7 @@ Rational Rational::parse(std::string_view text) {
     const std::string_view below = leading_digits(rest);
     if (whole.empty() || below.empty() || !rest.empty()) refuse(text);
     if (below.find_first_not_of('0') == std::string_view::npos)
-      throw BadInput(quoted(text) + " is a division by zero");
+      throw BadInput(in_quotes(text) + " is a division by zero");
     value = rational(integer(whole), integer(below));
   } else {
     std::string mantissa(whole);

@@ -24,6 +24,9 @@ struct AuditClaim {
   Place place;
 };
 
+/// How many of the conditions that fail are told as reasons.
+inline constexpr std::size_t kMostReasons = 3;
+
 /// One place of a file as it is and as it may have been meant.
 struct Change {
   std::string where;  ///< "A[4][2]", "c", "line 7"
@@ -49,6 +52,9 @@ struct Mend {
   int digits = 0;   ///< 0: what it restores is proved; otherwise to so many digits after the point
   double cost = 0;  ///< how improbable the slip is; they are ranked by it
 };
+
+/// How many mends are told at most; a reader tries no more of them.
+inline constexpr std::size_t kMostMends = 8;
 
 /// What a file says about its method, held against its coefficients.
 struct Audit {

@@ -19,7 +19,6 @@ namespace {
 
 using Verdict = AuditClaim::Verdict;
 
-constexpr std::size_t kReasons = 3;
 constexpr double kClaimCost = 7;  // a claim that is wrong, rather than the step
 constexpr const char* kNoOrder = "no order: a free body does not move along a line at its velocity";
 
@@ -117,7 +116,7 @@ void add_order(const Program& program, const OrderDemand& demand, const AuditLim
                             " hold; the trees of the next order need more than the memory allowed"
                       : "order " + std::to_string(found.order) + (found.at_least ? " or more" : "") + forces;
     if (found.order < demand.order && !unknown) {
-      for (std::size_t k = 0; k < std::min(kReasons, found.errors.size()); ++k) {
+      for (std::size_t k = 0; k < std::min(kMostReasons, found.errors.size()); ++k) {
         const ErrorTerm& e = found.errors[k];
         const std::string formula = print(source.formula(e.coefficient));
         const bool is_short = formula.size() <= 40 && source.digits() == 0;
@@ -125,8 +124,9 @@ void add_order(const Program& program, const OrderDemand& demand, const AuditLim
                             (is_short ? formula : "≈ " + source.decimal(e.coefficient, 6)) + " h^" +
                             std::to_string(e.order) + " " + e.differential);
       }
-      if (found.errors.size() > kReasons)
-        c.reasons.push_back("and " + std::to_string(found.errors.size() - kReasons) + " more of this order");
+      if (found.errors.size() > kMostReasons)
+        c.reasons.push_back("and " + std::to_string(found.errors.size() - kMostReasons) +
+                            " more of this order");
     }
   } catch (const Undefined&) {
     c.verdict = Verdict::refuted;

@@ -21,20 +21,14 @@ namespace {
 
 using Verdict = AuditClaim::Verdict;
 
-constexpr std::size_t kMostMends = 8;
 constexpr int kExactDigits = 60;
 constexpr int kCountedOrder = 6;
 constexpr int kLongestNumber = 24;  // a longer one is no misprint of a short one
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
-  return begin == std::string::npos ? "" : text.substr(begin, end + 1 - begin);
-}
-
-class Mends {
+class ProgramMends {
  public:
-  Mends(const std::string& text, const Program& program, const std::vector<AuditClaim>& claims,
-        const std::optional<OrderDemand>& demand, const Decide& decide, const AuditLimits& limits)
+  ProgramMends(const std::string& text, const Program& program, const std::vector<AuditClaim>& claims,
+               const std::optional<OrderDemand>& demand, const Decide& decide, const AuditLimits& limits)
       : text_(text),
         lines_(lines_of(text)),
         program_(program),
@@ -250,7 +244,7 @@ std::vector<Mend> program_mends(const std::string& text, const Program& program,
                                 const std::vector<AuditClaim>& claims,
                                 const std::optional<OrderDemand>& demand, const Decide& decide,
                                 const AuditLimits& limits) {
-  return Mends(text, program, claims, demand, decide, limits)();
+  return ProgramMends(text, program, claims, demand, decide, limits)();
 }
 
 }  // namespace shortfall

@@ -20,7 +20,6 @@ constexpr int kShownDigits = 6;
 constexpr int kStructureOrder =
     8;  // at least: trees that show a tableau not to be symmetric have few nodes more than its order
 constexpr int kHighestStructureOrder = 11;
-constexpr std::size_t kReasons = 3;
 
 /// How many digits of a nothing are certain; 0 when it is exact.
 int certain(const KnownDigits& k) { return k.ball().is_exact() ? 0 : k.digits(); }
@@ -115,7 +114,7 @@ class Findings {
           keep_lowest(found.digits, certain(defect));
           continue;
         }
-        if (++found.count <= kReasons) found.failing.push_back(failing(trees, tree, map[tree], exact));
+        if (++found.count <= kMostReasons) found.failing.push_back(failing(trees, tree, map[tree], exact));
       }
       if (found.count > 0) return found;
       found.order = n;

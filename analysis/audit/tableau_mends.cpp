@@ -20,8 +20,7 @@ using Verdict = AuditClaim::Verdict;
 
 constexpr int kSearchOrder =
     10;  // of the trees that a search looks at; what it finds is decided to the claimed order
-constexpr int kQuickOrder = 3;  // most trials fail here already
-constexpr std::size_t kMostMends = 8;
+constexpr int kQuickOrder = 3;       // most trials fail here already
 constexpr double kWithoutCheck = 4;  // a value that nothing confirms
 constexpr double kClaim = 7;         // a claim that is wrong, rather than a coefficient
 constexpr double kNotAll = 3;        // claims are left that do not hold
@@ -90,9 +89,10 @@ struct Search<KnownDigits> {
 };
 
 template <class K>
-class Mends {
+class TableauMends {
  public:
-  Mends(const AuditedTableau& t, const Method<K>& m, const TableauFindings& found, const AuditLimits& limits)
+  TableauMends(const AuditedTableau& t, const Method<K>& m, const TableauFindings& found,
+               const AuditLimits& limits)
       : t_(t), m_(m), found_(found), limits_(limits), fast_(Search<K>::numbers(t)) {}
 
   std::vector<Mend> operator()() {
@@ -284,7 +284,7 @@ class Mends {
 
 std::vector<Mend> tableau_mends(const AuditedTableau& t, const TableauFindings& found,
                                 const AuditLimits& limits) {
-  return with_numbers(t, [&]<class K>(const Method<K>& m) { return Mends<K>(t, m, found, limits)(); });
+  return with_numbers(t, [&]<class K>(const Method<K>& m) { return TableauMends<K>(t, m, found, limits)(); });
 }
 
 }  // namespace shortfall

@@ -12,7 +12,7 @@ namespace {
 
 using Polynomial1 = Univariate<Rational>;
 
-constexpr int kLost = 3;  // digits that products of the printed decimals may lose
+constexpr int kLostInProducts = 3;  // digits that products of the printed decimals may lose
 
 /// Without the coefficients that are nothing to the digits printed.
 Polynomial1 cleaned(const Polynomial1& p, const Rational& nothing) {
@@ -52,7 +52,7 @@ std::optional<Rational> negative_at(const Polynomial1& p) {
 }
 
 TableauStability by_digits(const StabilityFunction& r, int digits) {
-  const Rational nothing = Rational(1) / Rational(10).pow(std::max(digits - kLost, 1));
+  const Rational nothing = Rational(1) / Rational(10).pow(std::max(digits - kLostInProducts, 1));
   const Polynomial1 p = cleaned(rational(r.numerator), nothing),
                     q = cleaned(rational(r.denominator), nothing);
   TableauStability result;

@@ -16,11 +16,6 @@ constexpr double kLater = 1e-4;  // of two equal names the later one is the copy
 
 bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
 
-std::string trimmed(const std::string& text) {
-  const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
-  return begin == std::string::npos ? "" : text.substr(begin, end + 1 - begin);
-}
-
 /// Where a line's expressions begin: behind `=`, or behind `kick` and `drift`.
 std::size_t expression_begin(const std::string& line) {
   const std::string word = trimmed(line).substr(0, trimmed(line).find_first_of(" \t"));
@@ -252,6 +247,11 @@ std::vector<std::string> lines_of(const std::string& text) {
     begin = end + 1;
   }
   return lines;
+}
+
+std::string trimmed(const std::string& text) {
+  const std::size_t begin = text.find_first_not_of(" \t"), end = text.find_last_not_of(" \t");
+  return begin == std::string::npos ? "" : text.substr(begin, end + 1 - begin);
 }
 
 std::vector<TextEdit> text_edits(const std::string& text) { return Edits(text)(); }

@@ -47,4 +47,7 @@ std::string edited(const std::string& text, const TextEdit& edit);
 
 std::vector<std::string> lines_of(const std::string& text);
 
+/// Without the blanks at both ends.
+std::string trimmed(const std::string& text);
+
 }  // namespace shortfall

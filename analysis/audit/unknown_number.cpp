@@ -12,9 +12,8 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kSamples = 7;  // conditions of low order are polynomials of a degree below
-constexpr int kLost = 3;     // digits that a root may lose against the decimals it comes from
-constexpr int kExactDigits = 60;
+constexpr int kSamples = 7;     // conditions of low order are polynomials of a degree below
+constexpr int kLostByRoot = 3;  // digits that a root may lose against the decimals it comes from
 
 class UnknownNumber {
  public:
@@ -76,7 +75,7 @@ class UnknownNumber {
   }
 
   bool is_small(const Rational& r) const {
-    return r.is_zero() || (digits_ > kLost && r.abs() < Rational(1) / Rational(10).pow(digits_ - 2));
+    return r.is_zero() || (digits_ > kLostByRoot && r.abs() < Rational(1) / Rational(10).pow(digits_ - 2));
   }
 
   std::optional<std::vector<KnownDigits>> from_order(int n) const {
@@ -101,9 +100,9 @@ class UnknownNumber {
     std::vector<KnownDigits> result;
     for (const RealRoot& root : real_roots(*simplest)) {
       if (digits_ == 0 && root.is_rational()) result.emplace_back(root.rational() + printed_);
-      if (digits_ > kLost) {
+      if (digits_ > kLostByRoot) {
         const RealRoot fine = root.refined(Rational(1) / Rational(10).pow(digits_ + 2));
-        const Rational radius = Rational(1) / Rational(10).pow(digits_ - kLost),
+        const Rational radius = Rational(1) / Rational(10).pow(digits_ - kLostByRoot),
                        value = fine.low() + printed_;
         result.emplace_back(
             hull(Ball(value - radius, KnownDigits::kBits), Ball(value + radius, KnownDigits::kBits)));

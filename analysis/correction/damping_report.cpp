@@ -16,7 +16,7 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kBits = 256;
+constexpr int kDampingBits = 256;
 
 /// v <- share v + push a, x <- x + drift v + fall a.
 struct VelocityMap {
@@ -39,10 +39,10 @@ VelocityMap velocity_map(const StepMap& map, const std::string& integrator) {
 }
 
 std::map<std::string, Ball> letter_values(const StepMap& map, const Values& parameters, const Rational& h) {
-  std::map<std::string, Ball> values{{"h", Ball(h, kBits)}};
-  for (const auto& [name, value] : parameters) values[name] = Ball(value, kBits);
+  std::map<std::string, Ball> values{{"h", Ball(h, kDampingBits)}};
+  for (const auto& [name, value] : parameters) values[name] = Ball(value, kDampingBits);
   for (const ExtraLetters::Extra& e : map.extras)
-    if (e.root) values[e.name] = Ball(near(*e.root, 100), kBits);
+    if (e.root) values[e.name] = Ball(near(*e.root, 100), kDampingBits);
   return values;
 }
 
@@ -60,8 +60,8 @@ DampingAtRate at_rate(const Program& program, const Values& parameters, const Ra
   const VelocityMap m = velocity_map(map, program.name);
   const Wording w{map.letters, "n", false};
   const auto values = letter_values(map, parameters, h);
-  const auto ball = [&](const Fraction& f) { return ball_value(formula(f, w), values, kBits); };
-  const Ball one(1, kBits);
+  const auto ball = [&](const Fraction& f) { return ball_value(formula(f, w), values, kDampingBits); };
+  const Ball one(1, kDampingBits);
   DampingAtRate r{h, ball(m.share), {}, {}, {}, {}};
   if (!r.share.is_finite())
     throw BadInput("'" + program.name + "' has no number for what these parameters leave of a velocity");
@@ -74,12 +74,12 @@ DampingAtRate at_rate(const Program& program, const Values& parameters, const Ra
                         : "; and it has no damping of its own: see derive --force drag"));
   if (lost.sign() == -1)
     throw BadInput("a damping is 0 or more: here '" + program.name + "' makes a velocity grow");
-  r.terminal = Ball(g, kBits) * ball(m.push) / lost;
+  r.terminal = Ball(g, kDampingBits) * ball(m.push) / lost;
   r.coast = ball(m.drift) / lost;
   if (r.share.sign() == 1) {
     const Ball log_share = log(r.share);
-    r.rate = -log_share / Ball(h, kBits);
-    r.kept = exp(log_share / Ball(h, kBits));
+    r.rate = -log_share / Ball(h, kDampingBits);
+    r.kept = exp(log_share / Ball(h, kDampingBits));
   } else {
     // Frames that stop a body, or turn it round: whole powers only.
     const Rational frames = (Rational(1) / h).floor();
@@ -128,15 +128,15 @@ DampingReport damping_report(const Program& program, const Values& given, const 
   for (const std::string& text : map.assumed)
     if (text.find("impulse") == std::string::npos) report.assumptions.push_back(text);
   auto values = letter_values(map, report.parameters, h);
-  const Ball share = ball_value(report.share, values, kBits);
+  const Ball share = ball_value(report.share, values, kDampingBits);
   report.assumed_hold = share.overlaps(report.here.share);
 
   if (program.solves) {
     ExtraLetters extras(letter_names(lower(program, fixed)));
     const OwnEquation own = own_equation(program, fixed, extras);
     const Expr rate = formula(own.damping, {extras.names(), "n", false});
-    report.true_rate = ball_value(rate, values, kBits);
-    if (report.true_rate->sign() == 1) report.true_terminal = Ball(g, kBits) / *report.true_rate;
+    report.true_rate = ball_value(rate, values, kDampingBits);
+    if (report.true_rate->sign() == 1) report.true_terminal = Ball(g, kDampingBits) / *report.true_rate;
   }
   return report;
 }
@@ -157,7 +157,7 @@ Expr damping_from_share(DampingConvention to) {
 }
 
 Ball damping_number(DampingConvention to, const Ball& share, const Rational& h) {
-  return ball_value(damping_from_share(to), {{"s", share}, {"h", Ball(h, kBits)}}, kBits);
+  return ball_value(damping_from_share(to), {{"s", share}, {"h", Ball(h, kDampingBits)}}, kDampingBits);
 }
 
 Expr converted_damping(DampingConvention from, DampingConvention to) {

@@ -10,10 +10,6 @@ namespace shortfall {
 
 namespace {
 
-UndisturbedNumbers constant_force(int value) {
-  return {{.force = [value](const Rational&, const Rational&, const Rational&) { return Rational(value); }}};
-}
-
 std::vector<Rational> checked(std::vector<Rational> steps) {
   if (steps.empty()) throw BadInput("a list of frames has at least one step");
   for (const Rational& h : steps)

@@ -18,8 +18,6 @@ JumpShortfall shortfall_at(const Frame& frame, const IntendedMotion& motion, con
   return {target - frame.height, exact - frame.height, jump.exact_top - exact, target - jump.exact_top};
 }
 
-Surd at(const std::array<Surd, 3>& p, const Surd& n) { return p[0] + n * (p[1] + n * p[2]); }
-
 Jump::Corrected corrected(const Flight& flight, const IntendedMotion& motion, const Jump& jump) {
   Jump::Corrected result;
   result.launch = jump.launch_velocity + Surd(jump.correction.value(jump.g));
@@ -107,7 +105,7 @@ Jump jump(const Flight& flight, const Rational& height, const Rational& g, std::
     // While a force acts the motion is another one.
     const Surd free(jump.by == LaunchBy::force && jump.force_frames > 1 ? jump.force_frames : 0);
     if (const Surd ideal = jump.ideal_time / Surd(jump.dt); ideal >= free)
-      jump.ideal_time_height = at(heights, ideal);
+      jump.ideal_time_height = parabola_at(heights, ideal);
     if (heights[2].sign() < 0 && -heights[1] / (Surd(2) * heights[2]) >= free)
       jump.parabola_top = heights[0] - heights[1] * heights[1] / (Surd(4) * heights[2]);
   }

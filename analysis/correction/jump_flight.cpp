@@ -16,10 +16,6 @@ namespace shortfall {
 
 namespace {
 
-UndisturbedNumbers constant_force(int value) {
-  return {{.force = [value](const Rational&, const Rational&, const Rational&) { return Rational(value); }}};
-}
-
 /// Whether the clock stands anywhere but as an argument of the force.
 bool reads_clock(const Expr& e) {
   if (!e || e->op == Expression::Op::force) return false;
@@ -48,11 +44,6 @@ std::optional<Flight::Parabola> parabola(Fraction f, const Tape& tape, const Val
     result[static_cast<std::size_t>(k)] =
         f.numerator().coefficient(kCount, k).constant() / f.denominator().constant();
   return result;
-}
-
-template <class T>
-T at(const std::array<T, 3>& p, const T& n) {
-  return p[0] + n * (p[1] + n * p[2]);
 }
 
 }  // namespace
@@ -183,13 +174,13 @@ const std::pair<Rational, Rational>& Flight::stepped(const Rational& n) const {
 }
 
 Rational Flight::rise(const Rational& n) const {
-  if (parabolic_ && n >= settled_) return at(rise_, n);
+  if (parabolic_ && n >= settled_) return parabola_at(rise_, n);
   if (geometric_ && n >= geometric_->from) return geometric_->at(geometric_->rise, n);
   return stepped(n).first;
 }
 
 Rational Flight::fall(const Rational& n) const {
-  if (parabolic_ && n >= settled_) return at(fall_, n);
+  if (parabolic_ && n >= settled_) return parabola_at(fall_, n);
   if (geometric_ && n >= geometric_->from) return geometric_->at(geometric_->fall, n);
   return stepped(n).second;
 }

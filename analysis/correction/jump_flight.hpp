@@ -20,6 +20,12 @@ struct Frame {
   Surd height;
 };
 
+/// p0 + p1 n + p2 n^2.
+template <class T>
+T parabola_at(const std::array<T, 3>& p, const T& n) {
+  return p[0] + n * (p[1] + n * p[2]);
+}
+
 /// How a body gets its launch velocity u: it is set; it is given as an impulse (over the mass), which some
 /// engines treat differently; or as a force that is held over frames 1 to N (N = 1 unless said otherwise),
 /// the acceleration u/(N dt) wherever the steps of these frames evaluate the force, and nowhere else.

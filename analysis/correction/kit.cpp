@@ -11,7 +11,7 @@ using Target = Coefficient::Target;
 
 namespace {
 
-constexpr int kHighestDegree = 30;
+constexpr int kHighestSolvedDegree = 30;
 
 /// Whether all numbers in it are so small that coefficients known to some digits explain them; two digits are
 /// allowed for how strongly a result depends on them.
@@ -59,8 +59,8 @@ const CorrectionOption* CorrectionKit::best() const {
 }
 
 CorrectionKit correction_kit(const Derivation& d) {
-  if (d.degree > kHighestDegree)
-    throw Unable("correction kits are solved for up to degree " + std::to_string(kHighestDegree) +
+  if (d.degree > kHighestSolvedDegree)
+    throw Unable("correction kits are solved for up to degree " + std::to_string(kHighestSolvedDegree) +
                  "; the closed form goes up to degree 200");
   const NumberField field(d.map.generators);
   CorrectionKit kit;

@@ -18,9 +18,9 @@ constexpr int kContinuation = 8;  // steps from 0 to h in which a root is follow
 
 Ball middle(const Ball& b, int bits) { return Ball(b.midpoint(), bits); }
 
-class Numbers {
+class KitValues {
  public:
-  Numbers(const LinearKit& kit, const Force& force, const Values& parameters, int bits)
+  KitValues(const LinearKit& kit, const Force& force, const Values& parameters, int bits)
       : kit_(kit), force_(force), parameters_(parameters), bits_(bits) {}
 
   /// Values of all names that the kit's formulas use.
@@ -148,7 +148,7 @@ KitNumbers kit_numbers(const LinearKit& kit, const Force& force, const Values& p
   for (int bits = 8 * digits + 64;; bits *= 2) {
     KitNumbers result;
     result.solved = kit.implicit && kit.implicit->radicals.empty();
-    Balls values = Numbers(kit, force, parameters, bits).at(h);
+    Balls values = KitValues(kit, force, parameters, bits).at(h);
     bool settled = true;
     const auto add = [&](NumericCorrection& c, const Ball& ball, const std::string& name) {
       if (ball.is_zero() && !name.empty()) return;

@@ -17,8 +17,8 @@ namespace shortfall {
 
 namespace {
 
-constexpr std::size_t kLongestKit = 2000;  // terms
-constexpr int kHighestDegree = 12;  // of a force polynomial: the formulas grow with it, and nobody reads them
+constexpr std::size_t kLongestKit = 2000;   // terms
+constexpr int kHighestReadableDegree = 12;  // of a force polynomial: nobody reads what is longer
 
 class Matcher {
  public:
@@ -43,9 +43,9 @@ class Matcher {
   }
 
   LinearKit matched() {
-    if (force_.degree > kHighestDegree)
+    if (force_.degree > kHighestReadableDegree)
       throw Unable("corrections for linear forces are solved for up to poly:" +
-                   std::to_string(kHighestDegree));
+                   std::to_string(kHighestReadableDegree));
     // The integrator with the parameters still free; without damping first, with it when that cannot be
     // matched.
     Force free = without_own_equation(force_);

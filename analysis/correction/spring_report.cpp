@@ -15,16 +15,16 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kBits = 320;
+constexpr int kSpringBits = 320;
 
 /// The angle in (0, pi) of cosine and (positive) sine: by Newton's method on the sine and cosine of Ball.
 Ball angle(const Ball& cosine, const Ball& sine) {
   const double start = std::atan2(sine.to_double(), cosine.to_double());
-  Ball a(Rational(static_cast<long long>(start * 1e15)) / Rational(1'000'000'000'000'000LL), kBits);
+  Ball a(Rational(static_cast<long long>(start * 1e15)) / Rational(1'000'000'000'000'000LL), kSpringBits);
   for (int round = 0; round < 6; ++round) {
     // sin(angle - a), which is the angle that is missing up to its cube.
     const Ball missing = sine * cos(a) - cosine * sin(a);
-    a = Ball((a + missing).midpoint(), kBits);
+    a = Ball((a + missing).midpoint(), kSpringBits);
   }
   const Ball rest = sine * cos(a) - cosine * sin(a);  // |missing| <= 2 |sin(missing)| here
   return hull(a + rest - abs(rest), a + rest + abs(rest));
@@ -32,8 +32,8 @@ Ball angle(const Ball& cosine, const Ball& sine) {
 
 EffectiveSpring effective(const Ball& trace, const Ball& determinant, const Rational& h) {
   EffectiveSpring e{trace, determinant, false, {}, {}, {}, {}};
-  const Ball one(1, kBits), two(2, kBits), step(h, kBits);
-  const Ball discriminant = trace * trace - Ball(4, kBits) * determinant;
+  const Ball one(1, kSpringBits), two(2, kSpringBits), step(h, kSpringBits);
+  const Ball discriminant = trace * trace - Ball(4, kSpringBits) * determinant;
   e.oscillates = discriminant.sign() == -1;
   if (e.oscillates) {
     const Ball size = sqrt(determinant);
@@ -42,7 +42,7 @@ EffectiveSpring effective(const Ball& trace, const Ball& determinant, const Rati
     const Ball theta = angle(cosine, sqrt(one - cosine * cosine)) / step;
     const Ball omega = sqrt(rate * rate + theta * theta);
     e.growth = exp(-rate);
-    e.frequency = omega / (two * pi(kBits));
+    e.frequency = omega / (two * pi(kSpringBits));
     e.damping_ratio = rate / omega;
     const Ball excess = determinant - one;
     if (const auto sign = excess.sign()) e.stable = *sign <= 0;
@@ -58,12 +58,12 @@ EffectiveSpring effective(const Ball& trace, const Ball& determinant, const Rati
 }  // namespace
 
 void set_spring(SpringQuestion& q, const Rational& frequency, const Rational& damping_ratio) {
-  const Ball omega = Ball(frequency * 2, kBits) * pi(kBits);
+  const Ball omega = Ball(frequency * 2, kSpringBits) * pi(kSpringBits);
   const auto rounded = [](const Ball& b) {
     return b.is_zero() ? Rational() : Rational::parse(b.midpoint().significant(60));
   };
   q.k = rounded(omega * omega);
-  q.c = rounded(Ball(damping_ratio * 2, kBits) * omega);
+  q.c = rounded(Ball(damping_ratio * 2, kSpringBits) * omega);
   q.rounded = true;
 }
 
@@ -99,17 +99,17 @@ SpringReport spring_report(const Program& program, const SpringQuestion& q) {
   const Wording w{d.map.letters, "n", false};
   report.trace = formula(*d.trace, w);
   report.determinant = formula(*d.determinant, w);
-  std::map<std::string, Ball> at{{"h", Ball(q.h, kBits)},
-                                 {d.map.letters[kStiffness], Ball(q.k, kBits)},
-                                 {d.map.letters[kDamping], Ball(q.c, kBits)}};
-  report.effective =
-      effective(ball_value(report.trace, at, kBits), ball_value(report.determinant, at, kBits), q.h);
+  std::map<std::string, Ball> at{{"h", Ball(q.h, kSpringBits)},
+                                 {d.map.letters[kStiffness], Ball(q.k, kSpringBits)},
+                                 {d.map.letters[kDamping], Ball(q.c, kSpringBits)}};
+  report.effective = effective(ball_value(report.trace, at, kSpringBits),
+                               ball_value(report.determinant, at, kSpringBits), q.h);
   // The damping that is meant: the user's, or the integrator's own, which may be a logarithm.
-  const Ball k(q.k, kBits), h(q.h, kBits);
+  const Ball k(q.k, kSpringBits), h(q.h, kSpringBits);
   const Fraction meant = d.force.own_c.value_or(Fraction(q.c));
-  const Ball true_c = ball_value(meant, letter_balls(d.map.extras, kBits), kBits);
+  const Ball true_c = ball_value(meant, letter_balls(d.map.extras, kSpringBits), kSpringBits);
   const BallFlow flow =
-      meant.is_constant() ? ball_flow(q.k, meant.constant(), q.h, kBits) : ball_flow(k, true_c, h);
+      meant.is_constant() ? ball_flow(q.k, meant.constant(), q.h, kSpringBits) : ball_flow(k, true_c, h);
   report.truth = effective(flow.cosine + flow.sine_rate, exp(-true_c * h), q.h);
   if (true_c.is_zero()) report.truth.stable = true;
   // An undamped step with determinant 1 exactly is as stable as its physics.

@@ -15,10 +15,10 @@ namespace shortfall {
 namespace {
 
 /// The computed motion and the true one after n steps, as balls.
-struct ExactState {
+struct ExactMotionEnd {
   Ball x, v, true_x, true_v;
 };
-ExactState exact_state(const FloatQuestion& q, std::int64_t steps, int digits) {
+ExactMotionEnd exact_motion_end(const FloatQuestion& q, std::int64_t steps, int digits) {
   const NumericMotion m = numeric_motion(q.program, exact_question(q, steps, digits));
   const int bits = bits_for(digits);
   return {ball_of(m.position, bits), ball_of(m.velocity, bits), ball_of(m.exact_position, bits),
@@ -76,9 +76,9 @@ void put_frame_lines(Budget& b, const RunResult& r, const RunResult& second) {
   const std::int64_t steps = b.steps;
   for (int digits = first_digits(b.format);; digits *= 2) {
     const int bits = bits_for(digits);
-    const ExactState ideal = exact_state(question, steps, digits),
-                     kept = exact_state(b.stored, steps, digits);
-    const ExactState again = exact_state(question, steps, digits + 10);
+    const ExactMotionEnd ideal = exact_motion_end(question, steps, digits),
+                         kept = exact_motion_end(b.stored, steps, digits);
+    const ExactMotionEnd again = exact_motion_end(question, steps, digits + 10);
     const auto parts = [&](const Ball& truth, const Ball& method, const Ball& representation,
                            const FloatNumber& run_value) {
       return std::vector<BudgetTerm>{{"method", truth - method},
@@ -132,20 +132,20 @@ Budget budget(const FloatFormat& format, const FloatQuestion& question, std::int
   }
   put_first_difference(b);
   const int digits = first_digits(format), bits = bits_for(digits);
-  put_remedies(b, {[&](const FloatQuestion& half) {
-                     const ExactState e = exact_state(half, 2 * steps, digits);
-                     return e.true_x - e.x;
-                   },
-                   [&](const FloatQuestion& kept) {
-                     return exact_state(question, steps, digits).x - exact_state(kept, steps, digits).x;
-                   },
-                   [&](const FloatFormat& other_format) -> std::optional<Ball> {
-                     const RunResult there =
-                         run_to(*float_run(other_format, question), steps, other_format, progress);
-                     if (there.not_finite_at) return std::nullopt;
-                     return exact_state(stored(question, other_format), steps, digits).x -
-                            Ball(there.state.first.value, bits);
-                   }});
+  put_remedies(
+      b, {[&](const FloatQuestion& half) {
+            const ExactMotionEnd e = exact_motion_end(half, 2 * steps, digits);
+            return e.true_x - e.x;
+          },
+          [&](const FloatQuestion& kept) {
+            return exact_motion_end(question, steps, digits).x - exact_motion_end(kept, steps, digits).x;
+          },
+          [&](const FloatFormat& other_format) -> std::optional<Ball> {
+            const RunResult there = run_to(*float_run(other_format, question), steps, other_format, progress);
+            if (there.not_finite_at) return std::nullopt;
+            return exact_motion_end(stored(question, other_format), steps, digits).x -
+                   Ball(there.state.first.value, bits);
+          }});
   b.rounding_bound = rounding_bound(format, b.stored, steps, r.largest_x, r.largest_v);
   return b;
 }

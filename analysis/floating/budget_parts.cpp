@@ -12,7 +12,7 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kNarrow = 40;                  // the residual is narrower than 10^-40 of the total
+constexpr int kResidualDigits = 40;          // the residual is narrower than 10^-40 of the total
 constexpr std::int64_t kCompared = 100'000;  // with exact rationals: a second
 
 constexpr int kLaunchDigits = 400;
@@ -30,7 +30,7 @@ double logarithm(const std::string& decimal) {
 bool narrower(const Ball& residual, const Ball& total) {
   if (residual.is_exact()) return true;
   const auto size = total.significant(2);
-  return size && *size != "0" && logarithm(residual.radius()) < logarithm(*size) - kNarrow;
+  return size && *size != "0" && logarithm(residual.radius()) < logarithm(*size) - kResidualDigits;
 }
 
 }  // namespace

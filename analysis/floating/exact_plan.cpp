@@ -16,7 +16,7 @@ namespace {
 
 using Term = ExactPlan::Term;
 using Row = ExactPlan::Row;
-using Kind = Term::Kind;
+using TermKind = Term::Kind;
 
 constexpr int kQuick = 8;      // entries for which no memory is allocated
 constexpr int kAllOrders = 4;  // rows of which every order is tried
@@ -28,15 +28,15 @@ Term term(int source, bool fresh, const mpz_class& coefficient) {
   t.magnitude = abs(coefficient);
   t.negative = coefficient < 0;
   if (t.magnitude == 1) {
-    t.kind = Kind::unit;
+    t.kind = TermKind::unit;
   } else if (mpz_popcount(t.magnitude.get_mpz_t()) == 1) {
-    t.kind = Kind::shift;
+    t.kind = TermKind::shift;
     t.word = mpz_sizeinbase(t.magnitude.get_mpz_t(), 2) - 1;
   } else if (mpz_fits_ulong_p(t.magnitude.get_mpz_t())) {
-    t.kind = Kind::word;
+    t.kind = TermKind::word;
     t.word = t.magnitude.get_ui();
   } else {
-    t.kind = Kind::integer;
+    t.kind = TermKind::integer;
   }
   return t;
 }
@@ -49,10 +49,10 @@ struct Cost {
 constexpr Cost kUnit{0.3, 0.6}, kShift{0.6, 1.1}, kWord{1, 1.1};
 
 Cost price(const Term& t) {
-  if (t.kind == Kind::unit) return kUnit;
-  if (t.kind == Kind::word) return kWord;
+  if (t.kind == TermKind::unit) return kUnit;
+  if (t.kind == TermKind::word) return kWord;
   const double words = 1.3 * static_cast<double>(mpz_size(t.magnitude.get_mpz_t()));
-  return t.kind == Kind::integer ? Cost{words, words} : Cost{kShift.first, std::max(kShift.later, words)};
+  return t.kind == TermKind::integer ? Cost{words, words} : Cost{kShift.first, std::max(kShift.later, words)};
 }
 
 Cost price(Int128 coefficient) {
@@ -207,7 +207,7 @@ void ExactPlan::translate(const Row& row) {
   }
   std::size_t done = 1;
   const Term& first = terms[0];
-  if (terms.size() > 1 && first.kind == Kind::unit && terms[1].kind == Kind::unit) {
+  if (terms.size() > 1 && first.kind == TermKind::unit && terms[1].kind == TermKind::unit) {
     const int a = source(first), b = source(terms[1]);
     if (first.negative == terms[1].negative)
       operations_.push_back({Operation::Kind::add, out, a, b});
@@ -218,16 +218,16 @@ void ExactPlan::translate(const Row& row) {
     done = 2;
   } else {
     switch (first.kind) {
-      case Kind::unit:
+      case TermKind::unit:
         if (source(first) != out) operations_.push_back({Operation::Kind::copy, out, source(first)});
         break;
-      case Kind::shift:
+      case TermKind::shift:
         operations_.push_back({Operation::Kind::shift, out, source(first), 0, first.word});
         break;
-      case Kind::word:
+      case TermKind::word:
         operations_.push_back({Operation::Kind::multiply, out, source(first), 0, first.word});
         break;
-      case Kind::integer:
+      case TermKind::integer:
         operations_.push_back({Operation::Kind::multiply_long, out, source(first), 0, longs_.size()});
         longs_.push_back(first.magnitude);
         break;
@@ -237,7 +237,7 @@ void ExactPlan::translate(const Row& row) {
   for (; done < terms.size(); ++done) {
     const Term& t = terms[done];
     using Do = Operation::Kind;
-    if (t.kind == Kind::unit) {
+    if (t.kind == TermKind::unit) {
       operations_.push_back({t.negative ? Do::subtract : Do::add, out, out, source(t)});
     } else if (mpz_fits_ulong_p(t.magnitude.get_mpz_t())) {
       operations_.push_back({t.negative ? Do::subtract_product : Do::add_product, out, source(t), 0,

@@ -13,7 +13,7 @@ namespace shortfall {
 
 namespace {
 
-using Rows = std::vector<std::vector<mpq_class>>;
+using RationalRows = std::vector<std::vector<mpq_class>>;
 
 std::vector<mpq_class> rationals(const std::vector<Fraction>& row, const std::vector<int>& kept) {
   std::vector<mpq_class> result;
@@ -71,7 +71,7 @@ void refine(std::vector<mpz_class>& base, mpz_class value) {
 
 /// Pairwise coprime integers of which every denominator is a product; small primes are found, others need not
 /// be.
-std::vector<mpz_class> coprime_base(const Rows& rows) {
+std::vector<mpz_class> coprime_base(const RationalRows& rows) {
   std::vector<mpz_class> base, seen;
   for (const auto& row : rows)
     for (const mpq_class& entry : row) {
@@ -115,8 +115,9 @@ struct Scaling {
 };
 
 /// Shortest paths from these first distances; nothing when there is a negative cycle.
-std::optional<std::vector<int>> shortest(const Rows& rows, const std::vector<std::vector<int>>& lengths,
-                                         int more, std::vector<int> u) {
+std::optional<std::vector<int>> shortest(const RationalRows& rows,
+                                         const std::vector<std::vector<int>>& lengths, int more,
+                                         std::vector<int> u) {
   bool changed = true;
   for (std::size_t round = 0; changed; ++round) {
     if (round > rows.size()) return std::nullopt;  // a path has no more edges
@@ -131,7 +132,7 @@ std::optional<std::vector<int>> shortest(const Rows& rows, const std::vector<std
   return u;
 }
 
-Scaling scaling(const Rows& rows, const mpz_class& factor) {
+Scaling scaling(const RationalRows& rows, const mpz_class& factor) {
   const std::size_t size = rows.size();
   std::vector<std::vector<int>> lengths(size, std::vector<int>(size));
   int longest = 0;
@@ -155,7 +156,7 @@ Scaling scaling(const Rows& rows, const mpz_class& factor) {
 }
 
 /// D s_i a_ij / s_j.
-std::vector<std::vector<mpz_class>> scaled(const Rows& a, const mpz_class& base,
+std::vector<std::vector<mpz_class>> scaled(const RationalRows& a, const mpz_class& base,
                                            const std::vector<mpz_class>& scale) {
   std::vector<std::vector<mpz_class>> result(a.size(), std::vector<mpz_class>(a.size()));
   mpz_class below, rest;
@@ -200,7 +201,7 @@ ExactStep::Report report(const std::vector<mpq_class>& row, const std::vector<mp
 
 ExactStep exact_step(const StepMatrix& m) {
   const std::vector<int> kept = read_entries(m);
-  Rows a;
+  RationalRows a;
   for (const int i : kept) a.push_back(rationals(m.step[i], kept));
   const std::size_t size = a.size();
 

@@ -140,8 +140,8 @@ Budget peak_budget(const FloatFormat& format, const FloatQuestion& question, con
 namespace {
 
 /// The time at which a motion from the ground comes down again, as its frames say.
-Ball landing(const Motion& motion, std::int64_t most, const Rational& h, const std::string& what, int bits,
-             const Progress& progress) {
+Ball landing(const MotionFromLevel& motion, std::int64_t most, const Rational& h, const std::string& what,
+             int bits, const Progress& progress) {
   const Passings found = passings(motion, 1, 1, most, what, progress);
   if (found.frames.empty())
     throw Unable(what + " has not come down again after " + std::to_string(most) + " frames");

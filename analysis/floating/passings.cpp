@@ -117,8 +117,8 @@ int sign(Distances& d, std::int64_t frame, const std::string& what) {
 
 }  // namespace
 
-Motion map_distances(const FloatQuestion& question, const Rational& level,
-                     const std::optional<Surd>& launch) {
+MotionFromLevel map_distances(const FloatQuestion& question, const Rational& level,
+                              const std::optional<Surd>& launch) {
   return [=]() -> std::unique_ptr<Distances> {
     FloatQuestion q = question;
     std::optional<Surd> irrational = launch;
@@ -136,7 +136,7 @@ Motion map_distances(const FloatQuestion& question, const Rational& level,
   };
 }
 
-Motion parabola_distances(const Rational& h, const Surd& launch, const Rational& g) {
+MotionFromLevel parabola_distances(const Rational& h, const Surd& launch, const Rational& g) {
   return [=] {
     return std::make_unique<AnyFrame>([=](std::int64_t frame, int bits) {
       const Rational t = Rational(frame) * h;
@@ -145,7 +145,7 @@ Motion parabola_distances(const Rational& h, const Surd& launch, const Rational&
   };
 }
 
-Motion true_distances(const FloatQuestion& question, const Rational& level) {
+MotionFromLevel true_distances(const FloatQuestion& question, const Rational& level) {
   return [=] {
     return std::make_unique<AnyFrame>([=](std::int64_t frame, int bits) {
       const NumericMotion m =
@@ -155,7 +155,7 @@ Motion true_distances(const FloatQuestion& question, const Rational& level) {
   };
 }
 
-Passings passings(const Motion& motion, int side, std::size_t count, std::int64_t most,
+Passings passings(const MotionFromLevel& motion, int side, std::size_t count, std::int64_t most,
                   const std::string& what, const Progress& progress) {
   const std::unique_ptr<Distances> d = motion();
   Passings found;
@@ -170,7 +170,8 @@ Passings passings(const Motion& motion, int side, std::size_t count, std::int64_
   return found;
 }
 
-std::vector<Ball> passing_times(const Motion& motion, const Passings& passings, const Rational& h, int bits) {
+std::vector<Ball> passing_times(const MotionFromLevel& motion, const Passings& passings, const Rational& h,
+                                int bits) {
   const std::unique_ptr<Distances> d = motion();
   std::vector<Ball> times;
   for (std::int64_t n : passings.frames) {

@@ -14,7 +14,7 @@ namespace shortfall {
 namespace {
 
 /// An oscillation about a level, from x0, v0.
-struct Oscillation {
+struct SpringOscillation {
   Rational level;    ///< f0/k
   Rational square;   ///< w^2 = k - c^2/4
   Rational damping;  ///< c
@@ -25,7 +25,7 @@ struct Oscillation {
   Ball period(int bits) const { return Ball(2, bits) * pi(bits) / sqrt(Ball(square, bits)); }
 };
 
-Oscillation oscillation(const FloatQuestion& q) {
+SpringOscillation oscillation(const FloatQuestion& q) {
   const Force& f = q.force;
   if (!f.spring || f.degree > 0)
     throw Unable(
@@ -33,7 +33,7 @@ Oscillation oscillation(const FloatQuestion& q) {
         "damped-spring:k=4,c=1/2");
   if (q.program.solves)
     throw Unable(q.program.name + " has an equation of its own; a period is that of the force alone");
-  Oscillation o;
+  SpringOscillation o;
   o.damping = f.damper ? *f.c : Rational();
   o.square = *f.k - o.damping * o.damping / Rational(4);
   if (o.square.sign() <= 0) throw Undefined("nothing oscillates under " + f.text + ": that needs k > c^2/4");
@@ -50,12 +50,12 @@ Oscillation oscillation(const FloatQuestion& q) {
 
 /// The passings of the true motion, from its closed form, each held to the signs about it: two of them are
 /// half a period apart, which is more than a frame.
-Passings true_passings(const FloatQuestion& q, const Oscillation& o, std::size_t count) {
+Passings true_passings(const FloatQuestion& q, const SpringOscillation& o, std::size_t count) {
   const double w = o.omega(), c = o.damping.to_double(), h = q.h.to_double();
   const double a = (q.x0 - o.level).to_double(), b = (q.v0.to_double() + c / 2 * a) / w;
   double phase = std::fmod(std::atan2(b, a) + M_PI / 2, M_PI);  // of the first passing, in [0, pi)
   if (phase <= 1e-12) phase += M_PI;
-  const Motion motion = true_distances(q, o.level);
+  const MotionFromLevel motion = true_distances(q, o.level);
   const auto distances = motion();
   Passings found;
   int side = o.side;
@@ -83,7 +83,7 @@ class Reader {
   Reader(const FloatQuestion& q, int periods, const Progress& progress)
       : q_(q), o_(oscillation(q)), periods_(periods), progress_(progress) {}
 
-  const Oscillation& oscillation_of() const { return o_; }
+  const SpringOscillation& oscillation_of() const { return o_; }
   std::int64_t most(const Rational& h) const {
     const double frames = o_.frames_a_period(h) * 2 * (periods_ + 1) + 100;
     check_steps(static_cast<std::int64_t>(std::min(frames, 1e18)));
@@ -98,7 +98,7 @@ class Reader {
   Ball truly(const FloatQuestion& q, int bits) const { return truly(q, bits, periods_); }
   /// param   h  what frames are multiplied with: the step that is meant
   Ball map(const FloatQuestion& q, const Rational& h, int bits) const {
-    const Motion motion = map_distances(q, o_.level);
+    const MotionFromLevel motion = map_distances(q, o_.level);
     const Passings p = passings(motion, o_.side, count(), most(h), q.program.name, progress_);
     if (p.frames.size() < count()) throw too_few(q.program.name, p.frames.size(), most(h));
     return mean(passing_times(motion, ends(p), h, bits), periods_, bits);
@@ -125,7 +125,7 @@ class Reader {
                   std::to_string(frames) + " frames: it has no such period");
   }
   const FloatQuestion& q_;
-  Oscillation o_;
+  SpringOscillation o_;
   int periods_;
   const Progress& progress_;
 };
@@ -144,7 +144,7 @@ Budget period_budget(const FloatFormat& format, const FloatQuestion& q, int peri
   if (b.not_finite_at) return b;
   const Reader::Run second = reader.run(*second_run(format, q), format);
   b.steps = first.last;
-  const Oscillation& o = reader.oscillation_of();
+  const SpringOscillation& o = reader.oscillation_of();
   for (int digits = first_digits(format);; digits *= 2) {
     const int bits = bits_for(digits);
     const Ball truth = o.period(bits), sampled = reader.truly(q, bits), ideal = reader.map(q, q.h, bits),

@@ -6,21 +6,22 @@
 namespace shortfall {
 
 namespace {
-__extension__ typedef __float128 Wide;
+__extension__ typedef __float128 Float128;
 }
 
 long double exp_shortfall(long double value, long double error, long double computed) {
-  return static_cast<long double>(expq(Wide(value) + Wide(error)) - Wide(computed));
+  return static_cast<long double>(expq(Float128(value) + Float128(error)) - Float128(computed));
 }
 
 long double log_shortfall(long double value, long double error, long double computed) {
-  return static_cast<long double>(logq(Wide(value) + Wide(error)) - Wide(computed));
+  return static_cast<long double>(logq(Float128(value) + Float128(error)) - Float128(computed));
 }
 
 long double pow_shortfall(long double value, long double error, long double exponent,
                           long double exponent_error, long double computed) {
-  return static_cast<long double>(powq(Wide(value) + Wide(error), Wide(exponent) + Wide(exponent_error)) -
-                                  Wide(computed));
+  return static_cast<long double>(
+      powq(Float128(value) + Float128(error), Float128(exponent) + Float128(exponent_error)) -
+      Float128(computed));
 }
 
 }  // namespace shortfall

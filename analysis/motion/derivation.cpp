@@ -5,13 +5,13 @@
 
 #include "analysis/motion/agreement.hpp"
 #include "analysis/motion/derivation_steps.hpp"
+#include "analysis/motion/force.hpp"
 #include "analysis/program/transform.hpp"
 
 namespace shortfall {
 
 namespace {
 
-constexpr int kHighestDegree = 1000;
 constexpr int kHighestProved = 200;  // about ten seconds for a method without parameters
 
 std::vector<std::string> assumed(const Derivation& d) {
@@ -39,9 +39,9 @@ bool Derivation::proved() const {
 
 Derivation derivation(const Program& program, int degree, const Values& given, int substeps, bool tell,
                       const Progress& progress) {
-  if (degree < 0 || degree > kHighestDegree)
+  if (degree < 0 || degree > kHighestForceDegree)
     throw BadInput("the degree of a force polynomial is a whole number from 0 to " +
-                   std::to_string(kHighestDegree));
+                   std::to_string(kHighestForceDegree));
   if (degree > kHighestProved)
     throw Unable(
         "the closed form is proved for every n by comparing it, letter by letter, at degree + 3 steps, which "

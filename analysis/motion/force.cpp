@@ -12,8 +12,6 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kHighestDegree = 1000;
-
 [[noreturn]] void complain(std::string_view text, const std::string& why) {
   throw BadInput("--force '" + std::string(text.substr(0, 60)) + "': " + why);
 }
@@ -78,9 +76,9 @@ void read_word(std::string_view text, std::string_view word, Force& force) {
     } catch (const BadInput&) {
       degree = -1;
     }
-    if (degree < 0 || degree > kHighestDegree)
-      complain(text,
-               "the degree is a whole number from 0 to " + std::to_string(kHighestDegree) + ", as in poly:3");
+    if (degree < 0 || degree > kHighestForceDegree)
+      complain(text, "the degree is a whole number from 0 to " + std::to_string(kHighestForceDegree) +
+                         ", as in poly:3");
     force.degree = std::max(force.degree, static_cast<int>(degree));
     if (letters < rest.size())
       read_letters(text, rest.substr(letters + 1), false, false, static_cast<int>(degree), force);

@@ -10,6 +10,9 @@
 
 namespace shortfall {
 
+/// Of a polynomial in t that a user may ask for.
+inline constexpr int kHighestForceDegree = 1000;
+
 /// The accelerations for which motions are known exactly: f0 + f1 t + ... + fD t^D - k x - c v.
 struct Force {
   int degree = 0;                ///< D; -1 when nothing depends on time alone

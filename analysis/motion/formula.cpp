@@ -13,7 +13,7 @@ using Op = Expression::Op;
 namespace {
 
 /// A scalar has `factor`; a vector has `motion`, one entry a column.
-struct Value {
+struct FormulaValue {
   Sequence factor;
   Motion motion;
   bool is_vector() const { return !motion.empty(); }
@@ -32,7 +32,7 @@ class Evaluation {
 
   Motion motion(const Expr& e) const { return widened(of(e), e).motion; }
 
-  Value of(const Expr& e) const {
+  FormulaValue of(const Expr& e) const {
     switch (e->op) {
       case Op::number:
         return {Sequence(e->value), {}};
@@ -72,10 +72,10 @@ class Evaluation {
                              e->operands.size() > 1 ? argument(e->operands[1]) : a);
   }
 
-  Value of_name(const Expr& e) const {
+  FormulaValue of_name(const Expr& e) const {
     if (const auto found = scalars_.find(e->name); found != scalars_.end())
       return {Sequence(found->second), {}};
-    Value value;
+    FormulaValue value;
     value.motion.resize(columns_);
     value.motion[column(e->name)] = Sequence(1);
     return value;
@@ -92,22 +92,22 @@ class Evaluation {
   }
 
   /// As a vector; the number 0 is one as well.
-  Value widened(Value value, const Expr& e) const {
+  FormulaValue widened(FormulaValue value, const Expr& e) const {
     if (value.is_vector()) return value;
     if (!value.factor.is_zero()) throw Error("'" + print(e) + "' is no vector");
     value.motion.resize(columns_);
     return value;
   }
 
-  static Value scaled(Value value, const Sequence& factor) {
+  static FormulaValue scaled(FormulaValue value, const Sequence& factor) {
     value.factor = value.factor * factor;
     for (Sequence& entry : value.motion) entry = entry * factor;
     return value;
   }
 
-  Value sum(const Expr& e, const Sequence& sign) const {
-    Value left = of(e->operands[0]);
-    Value right = scaled(of(e->operands[1]), sign);
+  FormulaValue sum(const Expr& e, const Sequence& sign) const {
+    FormulaValue left = of(e->operands[0]);
+    FormulaValue right = scaled(of(e->operands[1]), sign);
     if (!left.is_vector() && !right.is_vector()) return {left.factor + right.factor, {}};
     left = widened(std::move(left), e->operands[0]);
     right = widened(std::move(right), e->operands[1]);
@@ -115,9 +115,9 @@ class Evaluation {
     return left;
   }
 
-  Value product(const Expr& e) const {
-    const Value left = of(e->operands[0]);
-    const Value right = of(e->operands[1]);
+  FormulaValue product(const Expr& e) const {
+    const FormulaValue left = of(e->operands[0]);
+    const FormulaValue right = of(e->operands[1]);
     if (left.is_vector() && right.is_vector()) throw Error("'" + print(e) + "' multiplies two vectors");
     return left.is_vector() ? scaled(left, right.factor) : scaled(right, left.factor);
   }

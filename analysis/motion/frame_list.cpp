@@ -48,7 +48,7 @@ bool number_like(std::string_view text) {
   return word == "nan" || word == "inf" || word == "infinity";
 }
 
-std::string quoted(std::string_view text) {
+std::string in_quotes(std::string_view text) {
   return "'" + std::string(text.substr(0, 60)) + (text.size() > 60 ? "..." : "") + "'";
 }
 
@@ -117,7 +117,7 @@ class Reader {
   }
 
   [[noreturn]] void nothing() const {
-    const std::string where = list_.column.empty() ? "" : "below the header " + quoted(list_.column) + " ";
+    const std::string where = list_.column.empty() ? "" : "below the header " + in_quotes(list_.column) + " ";
     throw SyntaxError(
         list_.file, std::max(number_, 1), 1,
         last_ ? "one time stamp is no step: " + where + "there must be at least two"
@@ -142,7 +142,7 @@ class Reader {
     if (place_ >= cells.size())
       complain(line_.size(), "the row has " + std::to_string(cells.size()) + " of the " +
                                  std::to_string(place_ + 1) + " cells up to the column " +
-                                 quoted(list_.column));
+                                 in_quotes(list_.column));
     if (list_.column.empty() && cells.size() > 1)
       complain(cells[1].begin, "the row has " + std::to_string(cells.size()) +
                                    " cells, the ones above have 1; a decimal point is a point");
@@ -181,7 +181,8 @@ class Reader {
         const auto column = frame_column(cells[i].text);
         if (!column || column->kind != wanted) continue;
         if (best)
-          complain(cells[i].begin, "the columns " + quoted(list_.column) + " and " + quoted(cells[i].text) +
+          complain(cells[i].begin, "the columns " + in_quotes(list_.column) + " and " +
+                                       in_quotes(cells[i].text) +
                                        " say the same thing; leave one of them out");
         best = column;
         place_ = i;
@@ -192,7 +193,7 @@ class Reader {
     if (!best)
       complain(
           cells.front().begin,
-          "the header " + (cells.size() == 1 ? quoted(cells.front().text) + " names" : "names") +
+          "the header " + (cells.size() == 1 ? in_quotes(cells.front().text) + " names" : "names") +
               " neither steps (dt, frame time), nor time stamps (time, timestamp), nor rates (fps), with "
               "a unit s, ms, us or ns if any");
     list_.kind = best->kind;
@@ -210,8 +211,9 @@ class Reader {
       return;
     }
     if (last_ && value <= *last_)
-      complain(cell.begin, "the time stamp " + quoted(cell.text) + " does not advance: the one before it, " +
-                               quoted(last_text_) + " in line " + std::to_string(last_line_) + ", is " +
+      complain(cell.begin, "the time stamp " + in_quotes(cell.text) +
+                               " does not advance: the one before it, " + in_quotes(last_text_) +
+                               " in line " + std::to_string(last_line_) + ", is " +
                                (value == *last_ ? "the same" : "later"));
     if (last_) list_.steps.push_back(value - *last_);
     last_ = value;
@@ -226,7 +228,7 @@ class Reader {
     if (text.empty()) complain(cell.begin, "the " + what + " is missing");
     const std::size_t end = text.find_last_of("0123456789.");
     if (!number_like(text) || end == std::string_view::npos)
-      complain(cell.begin, quoted(text) + " is not a number");
+      complain(cell.begin, in_quotes(text) + " is not a number");
     Rational value;
     try {
       value = Rational::parse(text.substr(0, end + 1));
@@ -239,7 +241,7 @@ class Reader {
       const auto named = frame_unit(suffix);
       if (!named)
         complain(cell.begin + end + 1,
-                 "unknown unit " + quoted(suffix) + "; the units are s, ms, us, ns, Hz and fps");
+                 "unknown unit " + in_quotes(suffix) + "; the units are s, ms, us, ns, Hz and fps");
       if (list_.kind == Kind::stamp && named->rate) complain(cell.begin, "a time stamp is no rate");
       unit = *named;
       list_.unit_is_given = true;
@@ -247,7 +249,7 @@ class Reader {
     if (value.digits() > kMostDigits)
       complain(cell.begin, "the number has more than 100 digits, which is our limit");
     if (list_.kind != Kind::stamp && value.sign() <= 0)
-      complain(cell.begin, "the " + std::string(unit.rate ? "rate " : "step ") + quoted(text) + " is " +
+      complain(cell.begin, "the " + std::string(unit.rate ? "rate " : "step ") + in_quotes(text) + " is " +
                                (value.is_zero() ? "0" : "negative") + "; a frame takes longer than 0 s");
     return unit.rate ? Rational(1) / value : value * unit.seconds;
   }

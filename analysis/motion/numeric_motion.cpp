@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMostBits = 1 << 16;
 constexpr std::size_t kLongestExact = 300;  // digits: beyond, balls are faster, and nobody reads them
-constexpr int kHighestDegree = 30;          // of a force polynomial: the matrix grows with it
+constexpr int kHighestNumericDegree = 30;   // of a force polynomial: the matrix grows with it
 
 template <class T>
 using Rows = std::vector<std::vector<T>>;
@@ -160,7 +160,7 @@ void check(const NumericQuestion& q) {
   need(!q.force.damper || q.force.c || q.force.own_c, "c");
   for (int d = 0; d <= q.force.degree; ++d)
     need(q.force.push.contains(d), q.force.degree == 0 ? "a" : "f" + std::to_string(d));
-  if (q.force.degree > kHighestDegree)
+  if (q.force.degree > kHighestNumericDegree)
     throw Unable("numbers after n steps are given for forces up to poly:30");
 }
 

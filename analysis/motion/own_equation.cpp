@@ -18,7 +18,7 @@ using Op = Expression::Op;
 constexpr int kForceColumn = 0, kPositionColumn = 1, kVelocityColumn = 2;
 
 /// A scalar has `factor`, a vector `form`; the number 0 is both.
-struct Value {
+struct EquationValue {
   Fraction factor;
   LinearForm form;
   bool vector = false;
@@ -39,9 +39,9 @@ class Equation {
                  print(e) + "' there");
   }
 
-  Value vector(int column) const { return {{}, LinearForm::column(column), true}; }
+  EquationValue vector(int column) const { return {{}, LinearForm::column(column), true}; }
 
-  Value value(const Expr& e) const {
+  EquationValue value(const Expr& e) const {
     const auto operand = [&](std::size_t i) { return value(e->operands[i]); };
     switch (e->op) {
       case Op::number:
@@ -59,24 +59,24 @@ class Equation {
           return vector(kForceColumn);
         break;
       case Op::negate: {
-        const Value v = operand(0);
+        const EquationValue v = operand(0);
         return {-v.factor, -v.form, v.vector};
       }
       case Op::add:
       case Op::subtract: {
-        Value left = operand(0);
-        const Value right = operand(1);
+        EquationValue left = operand(0);
+        const EquationValue right = operand(1);
         left.vector = left.vector || right.vector;
         if (e->op == Op::add) return {left.factor + right.factor, left.form + right.form, left.vector};
         return {left.factor - right.factor, left.form - right.form, left.vector};
       }
       case Op::multiply: {
-        const Value left = operand(0), right = operand(1);
+        const EquationValue left = operand(0), right = operand(1);
         if (left.vector) return {{}, right.factor * left.form, true};
         return {left.factor * right.factor, left.factor * right.form, right.vector};
       }
       case Op::divide: {
-        const Value left = operand(0), right = operand(1);
+        const EquationValue left = operand(0), right = operand(1);
         if (right.factor.is_zero())
           throw Undefined("the equation that '" + program_.name + "' solves divides by '" +
                           print(e->operands[1]) + "', which is zero");

@@ -33,4 +33,9 @@ struct UndisturbedNumbers : Numbers<Rational> {
   }
 };
 
+/// Under an acceleration that is always this number.
+inline UndisturbedNumbers constant_force(int value) {
+  return {{.force = [value](const Rational&, const Rational&, const Rational&) { return Rational(value); }}};
+}
+
 }  // namespace shortfall

@@ -2,7 +2,9 @@
 #include "analysis/program/catalogue.hpp"
 
 #include <cctype>
+#include <string_view>
 
+#include "analysis/algebra/characters.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/catalogue_data.hpp"
 #include "analysis/program/parse.hpp"
@@ -14,14 +16,8 @@ namespace shortfall {
 
 namespace {
 
-std::string lower_case(const std::string& text) {
-  std::string result = text;
-  for (char& c : result) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  return result;
-}
-
 /// Letters and digits only, in lower case.
-std::string folded(const std::string& text) {
+std::string folded(std::string_view text) {
   std::string result;
   for (unsigned char c : text)
     if (std::isalnum(c)) result += static_cast<char>(std::tolower(c));

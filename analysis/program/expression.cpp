@@ -104,7 +104,8 @@ Expr power(Expr a, int exponent) {
 bool same(const Expr& a, const Expr& b) {
   if (a == b) return true;
   return a->op == b->op && a->value == b->value && a->name == b->name &&
-         std::ranges::equal(a->operands, b->operands, same);
+         std::ranges::equal(a->operands, b->operands,
+                            [](const Expr& p, const Expr& q) { return same(p, q); });
 }
 
 Expr replace(const Expr& e, const std::string& from, const Expr& to) {

@@ -10,12 +10,7 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kDeepest = 8;
-constexpr std::size_t kShown = 40;
-
-std::string shortened(const std::string& text) {
-  return text.size() > kShown ? text.substr(0, kShown) + "..." : text;
-}
+constexpr int kDeepestList = 8;
 
 /// What is wrong with a number that JSON does not know; "" when nothing is.
 std::string number_complaint(const std::string& t) {
@@ -94,7 +89,8 @@ class Reader {
     const char c = peek();
     JsonValue value;
     value.place = here();
-    if (depth > kDeepest) throw error("lists are nested deeper than " + std::to_string(kDeepest) + " levels");
+    if (depth > kDeepestList)
+      throw error("lists are nested deeper than " + std::to_string(kDeepestList) + " levels");
     if (c == '{') return object(std::move(value), depth);
     if (c == '[') return array(std::move(value), depth);
     if (c == '"') return string(std::move(value));

@@ -35,8 +35,6 @@ const std::vector<std::string>& force_notations() {
   return notations;
 }
 
-constexpr std::size_t kLongestName = 80;
-
 bool is_one_of(const std::string& word, const std::vector<std::string>& words) {
   return std::ranges::find(words, word) != words.end();
 }
@@ -145,8 +143,8 @@ class FileParser {
     const std::string rule =
         "a name is made of lower-case letters, digits and hyphens and begins with a letter";
     if (plain.empty()) throw error(rule + "; found '" + bare.substr(0, 80) + "'");
-    if (plain.size() > kLongestName)
-      throw error("a name has at most " + std::to_string(kLongestName) + " characters");
+    if (plain.size() > Program::kLongestName)
+      throw error("a name has at most " + std::to_string(Program::kLongestName) + " characters");
     if (plain != bare.substr(0, bare.find_last_not_of(" \t") + 1)) throw error(rule + ": " + plain);
     program_.name = plain;
   }

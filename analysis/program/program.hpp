@@ -111,6 +111,8 @@ struct Claim {
 /// An integrator, written down once.  What `parse` returns has been checked: sorts, dimensions, every name
 /// assigned before use.
 struct Program {
+  static constexpr std::size_t kLongestName = 80;  ///< characters
+
   std::string name;
   std::string description;  ///< the comment above `integrator`, lines joined by '\n'
   std::vector<std::string> aliases;

@@ -8,7 +8,7 @@ namespace shortfall {
 namespace {
 
 constexpr std::size_t kLongestFile = 1'000'000;
-constexpr std::size_t kLongestShown = 400;  // a longer line and its caret would only fill the screen
+constexpr std::size_t kLongestShownLine = 400;  // a longer line and its caret would only fill the screen
 
 bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
 
@@ -87,8 +87,13 @@ Place Source::place(int line, std::size_t byte) const {
 
 SyntaxError Source::error(Place place, const std::string& what) const {
   const bool shown =
-      place.line >= 1 && place.line <= line_count() && line(place.line).size() <= kLongestShown;
+      place.line >= 1 && place.line <= line_count() && line(place.line).size() <= kLongestShownLine;
   return SyntaxError(file_, place.line, place.column, what, shown ? line(place.line) : std::string());
+}
+
+std::string shortened(std::string_view text) {
+  constexpr std::size_t kShown = 40;
+  return std::string(text.substr(0, kShown)) + (text.size() > kShown ? "..." : "");
 }
 
 }  // namespace shortfall

@@ -33,4 +33,7 @@ class Source {
   std::vector<std::size_t> plain_;  ///< of each line, how many bytes at its beginning are one character each
 };
 
+/// The beginning of a text, for a message that quotes it.
+std::string shortened(std::string_view text);
+
 }  // namespace shortfall

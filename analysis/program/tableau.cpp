@@ -3,6 +3,7 @@
 
 #include <string_view>
 
+#include "analysis/program/counted.hpp"
 #include "analysis/program/token_reader.hpp"
 
 namespace shortfall {
@@ -17,17 +18,11 @@ Expr entry(const Source& source, int line, std::size_t begin, std::size_t end) {
   return e;
 }
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-bool is_zero(const Expr& e) { return is_number(e, 0); }
-
 /// base + h*(w_1 u_1 + w_2 u_2 ...), zero weights left out.
 Expr increment(Expr base, const std::vector<Expr>& weights, const std::vector<Expr>& slopes, Place place) {
   Expr total;
   for (std::size_t j = 0; j < weights.size(); ++j) {
-    if (is_zero(weights[j])) continue;
+    if (is_number(weights[j], 0)) continue;
     Expr term =
         is_number(weights[j], 1) ? slopes[j] : binary(Expression::Op::multiply, weights[j], slopes[j], place);
     total = total ? binary(Expression::Op::add, total, term, place) : term;
@@ -114,7 +109,7 @@ void lower_tableau(Program& program, const Source& source) {
     bool implicit = false;
     for (std::size_t i = begin; i <= end; ++i)
       for (std::size_t j = begin; j < tableau.a[i].size(); ++j)
-        if (j >= i && !is_zero(tableau.a[i][j])) {
+        if (j >= i && !is_number(tableau.a[i][j], 0)) {
           end = std::max(end, j);
           implicit = true;
         }
@@ -131,7 +126,7 @@ void lower_tableau(Program& program, const Source& source) {
         speeds.push_back(implicit && j >= begin ? increment(name("v", place), tableau.a[j], k, place) : u[j]);
       const Expr position = increment(name("x", place), tableau.a[i], speeds, place);
       const Expr time =
-          is_zero(tableau.c[i])
+          is_number(tableau.c[i], 0)
               ? name("t", place)
               : binary(Expression::Op::add, name("t", place),
                        is_number(tableau.c[i], 1)

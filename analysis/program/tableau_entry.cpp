@@ -11,12 +11,6 @@ namespace shortfall {
 
 namespace {
 
-constexpr std::size_t kShown = 40;
-
-std::string shortened(std::string_view text) {
-  return std::string(text.substr(0, kShown)) + (text.size() > kShown ? "..." : "");
-}
-
 /// The length of the decimal number, without a sign, that begins at i.
 std::size_t decimal_length(std::string_view text, std::size_t i) {
   std::size_t end = i;

@@ -7,6 +7,7 @@
 #include <ranges>
 
 #include "analysis/program/check.hpp"
+#include "analysis/program/counted.hpp"
 #include "analysis/program/file_text.hpp"
 #include "analysis/program/json_text.hpp"
 #include "analysis/program/nystroem.hpp"
@@ -20,13 +21,8 @@ namespace shortfall {
 namespace {
 
 constexpr std::size_t kMostStages = 64;
-constexpr std::size_t kLongestName = 80;
 constexpr std::size_t kLongestLine = 100'000;  // programs write JSON on a single line
 constexpr int kMostDigits = 1000;
-
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-  return std::to_string(count) + " " + (count == 1 ? one : many);
-}
 
 /// A name for an integrator made of any text: lower case, what is no letter and no digit a hyphen; "" when
 /// nothing is left.
@@ -38,7 +34,7 @@ std::string as_name(std::string_view text) {
     else if (!result.empty() && !result.ends_with('-'))
       result += '-';
   }
-  while (result.ends_with('-') || result.size() > kLongestName) result.pop_back();
+  while (result.ends_with('-') || result.size() > Program::kLongestName) result.pop_back();
   if (!result.empty() && std::isdigit(static_cast<unsigned char>(result[0]))) result = "method-" + result;
   return result;
 }

@@ -11,7 +11,7 @@ namespace shortfall {
 
 namespace {
 
-constexpr int kDeepest = 200;
+constexpr int kDeepestExpression = 200;
 constexpr int kMostNodes = 1000;
 constexpr int kHighestDimension = 20;
 
@@ -72,8 +72,8 @@ void TokenReader::expect_end(std::string_view after) {
 
 Expr TokenReader::expression() {
   const Deeper deeper(depth_);
-  if (depth_ > kDeepest)
-    throw error("parentheses are nested deeper than " + std::to_string(kDeepest) + " levels");
+  if (depth_ > kDeepestExpression)
+    throw error("parentheses are nested deeper than " + std::to_string(kDeepestExpression) + " levels");
   Expr left = product();
   while (at("+") || at("-")) {
     const Token sign = take();
@@ -95,7 +95,8 @@ Expr TokenReader::product() {
 
 Expr TokenReader::signed_factor() {
   const Deeper deeper(depth_);
-  if (depth_ > kDeepest) throw error("signs are nested deeper than " + std::to_string(kDeepest) + " levels");
+  if (depth_ > kDeepestExpression)
+    throw error("signs are nested deeper than " + std::to_string(kDeepestExpression) + " levels");
   if (at("-")) {
     const Token sign = take();
     return negate(signed_factor(), sign.place);

@@ -10,7 +10,7 @@ namespace shortfall {
 
 namespace {
 
-constexpr std::size_t kLongestShown = 40;
+constexpr std::size_t kLongestShownVersion = 40;
 
 bool describes(const Program& program, const std::string& software, const std::vector<int>& wanted) {
   return std::ranges::any_of(versions(program), [&](const SoftwareVersion& v) {
@@ -75,7 +75,7 @@ std::vector<SoftwareVersion> versions(const Program& program) {
 Program of_version(const Program& named, const std::string& version, const std::vector<Program>& catalogue) {
   const auto wanted = version_numbers(version);
   if (!wanted)
-    throw BadInput("'" + version.substr(0, kLongestShown) + "' after the @ is no version; write " +
+    throw BadInput("'" + version.substr(0, kLongestShownVersion) + "' after the @ is no version; write " +
                    named.name + "@ and numbers with points between them, such as 1.2");
   const std::vector<SoftwareVersion> own = versions(named);
   if (own.empty())
@@ -88,7 +88,7 @@ Program of_version(const Program& named, const std::string& version, const std::
       if (describes(p, v.software, *wanted)) others.push_back(&p);
   }
   if (others.size() == 1) return *others.front();
-  throw BadInput("version " + version.substr(0, kLongestShown) + " of " + own.front().software +
+  throw BadInput("version " + version.substr(0, kLongestShownVersion) + " of " + own.front().software +
                  " is not known: the catalogue has " + known(own.front().software, catalogue) +
                  "; other versions may step differently");
 }

@@ -46,15 +46,15 @@ bool keeps_quadratic_invariants(const SeriesSource& source, const ButcherTableau
 }
 
 /// Of kicks and drifts.
-struct PartsFound {
+struct SplittingSymmetry {
   bool is_splitting = false;
   bool time_follows_drifts = false;
   bool palindrome = false;
   bool conjugate = false;  ///< start and finish undo each other, or are not there
 };
 
-PartsFound parts_of(const Program& program, const Values& given) {
-  PartsFound found;
+SplittingSymmetry splitting_symmetry(const Program& program, const Values& given) {
+  SplittingSymmetry found;
   const SplittingReading reading = splitting_reading(program, given);
   found.is_splitting = reading.is_splitting();
   std::visit(
@@ -98,7 +98,7 @@ Property symmetric_per_tree(const SeriesSource& source, const Signature& signatu
   return p;
 }
 
-Property symmetric(const SeriesSource& source, const PartsFound& parts) {
+Property symmetric(const SeriesSource& source, const SplittingSymmetry& parts) {
   const bool exact = source.digits() == 0;
   if (source.has_tableau()) {
     if (reflects(source, source.tableau<Fraction>()))
@@ -117,7 +117,7 @@ Property symmetric(const SeriesSource& source, const PartsFound& parts) {
   return still;
 }
 
-Property symplectic(const SeriesSource& source, const PartsFound& parts) {
+Property symplectic(const SeriesSource& source, const SplittingSymmetry& parts) {
   const Verdict yes = source.digits() == 0 ? Verdict::proved : Verdict::not_contradicted;
   if (source.has_tableau() && keeps_quadratic_invariants(source, source.tableau<Fraction>()))
     return {yes, 0, "b_i a_ij + b_j a_ji = b_i b_j"};
@@ -167,7 +167,7 @@ int embedded_order(const SeriesSource& source, int highest) {
 
 Structure structure(const SeriesSource& source) {
   Structure s;
-  const PartsFound parts = parts_of(source.program(), source.values());
+  const SplittingSymmetry parts = splitting_symmetry(source.program(), source.values());
   s.symmetric = symmetric(source, parts);
   s.symplectic = symplectic(source, parts);
   for (const int order : std::span(kOthers).first(3)) {

@@ -5,6 +5,7 @@
 
 #include "analysis/problems/letters.hpp"
 #include "analysis/stability/growth_at_root.hpp"
+#include "analysis/stability/motion_pair.hpp"
 #include "analysis/stability/resultant.hpp"
 #include "analysis/stability/window_walk.hpp"
 #include "analysis/stability/windows_over.hpp"
@@ -12,9 +13,6 @@
 namespace shortfall {
 
 namespace {
-
-// The eigenvalue: a step's matrix does not contain the letter of time.
-constexpr Letter kEigenvalue = kTimeLetter;
 
 Polynomial least_common_denominator(const SquareMatrix<Fraction>& matrix) {
   Polynomial common = 1;

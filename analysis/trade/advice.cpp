@@ -33,7 +33,7 @@ constexpr std::array kUsual{"velocity-verlet",
                             "symplectic-euler-drift-kick",
                             "explicit-euler"};
 constexpr std::array kSubsteps{1, 2, 3, 4, 6, 8, 12, 16, 24, 32, 48, 64, 96, 128, 256, 512, 1024};
-constexpr std::int64_t kMostFrames = 2'000'000;
+constexpr std::int64_t kMostAdvisedSteps = 2'000'000;
 constexpr std::size_t kFinalists = 8;
 /// An evaluation of one way of stepping costs at most so many of another: what needs more evaluations than
 /// that has no chance to be the cheapest.
@@ -166,7 +166,7 @@ class Adviser {
     begin_way();
     const std::int64_t frames = frames_to(advice_.reference.end, frame);
     for (int n : kSubsteps) {
-      if (n > scene_.budget.most_substeps || frames * n > kMostFrames || is_hopeless(frames * n) ||
+      if (n > scene_.budget.most_substeps || frames * n > kMostAdvisedSteps || is_hopeless(frames * n) ||
           is_stuck())
         return std::nullopt;
       choice.substeps = n;
@@ -184,7 +184,8 @@ class Adviser {
       return run(choice);
     };
     begin_way();
-    for (std::int64_t steps = 4; steps <= kMostFrames && !is_hopeless(steps) && !is_stuck(); steps *= 2) {
+    for (std::int64_t steps = 4; steps <= kMostAdvisedSteps && !is_hopeless(steps) && !is_stuck();
+         steps *= 2) {
       std::optional<SceneOutcome> found = with(steps);
       // An error can pass through zero by accident: a shorter step must be good as well.
       if (!found || !with(steps + steps / 4 + 1)) continue;

@@ -12,7 +12,7 @@ namespace shortfall {
 
 namespace {
 
-using Kind = SceneForce::Kind;
+using ForceKind = SceneForce::Kind;
 
 /// One force being read.
 struct Reading {
@@ -88,7 +88,7 @@ Expr Reading::expression(const toml::node& node, const std::string& key) const {
     static const std::string kAxes = "xyz";
     for (int i = 0; i < c.scene.dimension; ++i) {
       known.push_back(kAxes.substr(static_cast<std::size_t>(i), 1));
-      if (force.kind == Kind::expression) known.push_back("v" + known.back());
+      if (force.kind == ForceKind::expression) known.push_back("v" + known.back());
     }
     for (const auto& [name, value] : c.parameters) {
       result = replace(result, name, shortfall::number(value));
@@ -113,7 +113,7 @@ Expr Reading::expression(const toml::node& node, const std::string& key) const {
 
 struct KindEntry {
   const char* name;
-  Kind kind;
+  ForceKind kind;
   std::vector<std::string> keys;
   void (*read)(const Reading&);
 };
@@ -170,43 +170,43 @@ void read_expression(const Reading& r) {
 const std::vector<KindEntry>& kinds() {
   static const std::vector<KindEntry> table{
       {"constant",
-       Kind::constant,
+       ForceKind::constant,
        {"acceleration"},
        [](const Reading& r) { r.push_vector("acceleration", r.c.coordinate(-2)); }},
-      {"polynomial", Kind::polynomial, {"coefficients"}, read_polynomial},
+      {"polynomial", ForceKind::polynomial, {"coefficients"}, read_polynomial},
       {"linear-drag",
-       Kind::linear_drag,
+       ForceKind::linear_drag,
        {"rate", "wind"},
        [](const Reading& r) {
          r.push(r.per_mass("rate", {0, -1, 0}));
          r.push_vector_or_zero("wind", r.c.coordinate(-1));
        }},
       {"quadratic-drag",
-       Kind::quadratic_drag,
+       ForceKind::quadratic_drag,
        {"coefficient", "wind"},
        [](const Reading& r) {
          r.push(r.per_mass("coefficient", {r.c.angles ? 0 : -1, 0, 0}));
          r.push_vector_or_zero("wind", r.c.coordinate(-1));
        }},
-      {"spring", Kind::spring, {"stiffness", "damping", "anchor", "length"}, read_spring},
-      {"link", Kind::link, {"between", "stiffness", "damping", "length"}, read_link},
-      {"pendulum", Kind::pendulum, {"gravity", "length"}, read_pendulum},
+      {"spring", ForceKind::spring, {"stiffness", "damping", "anchor", "length"}, read_spring},
+      {"link", ForceKind::link, {"between", "stiffness", "damping", "length"}, read_link},
+      {"pendulum", ForceKind::pendulum, {"gravity", "length"}, read_pendulum},
       {"kepler",
-       Kind::kepler,
+       ForceKind::kepler,
        {"mu", "centre"},
        [](const Reading& r) {
          r.push(r.number("mu", {3, -2, 0}));
          r.push_vector_or_zero("centre", r.c.coordinate());
        }},
       {"n-body",
-       Kind::n_body,
+       ForceKind::n_body,
        {"G"},
        [](const Reading& r) {
          r.push(r.number("G", {3, -2, -1}));
        }},
-      {"height-gravity", Kind::height, {"gravity", "radius"}, read_height},
+      {"height-gravity", ForceKind::height, {"gravity", "radius"}, read_height},
       {"lorentz",
-       Kind::lorentz,
+       ForceKind::lorentz,
        {"electric", "magnetic"},
        [](const Reading& r) {
          if (r.c.scene.dimension == 1)
@@ -215,7 +215,7 @@ const std::vector<KindEntry>& kinds() {
          r.push(r.rotation("magnetic", {0, -1, 0}));
        }},
       {"coriolis",
-       Kind::coriolis,
+       ForceKind::coriolis,
        {"rotation", "centrifugal"},
        [](const Reading& r) {
          if (r.c.scene.dimension == 1)
@@ -224,9 +224,9 @@ const std::vector<KindEntry>& kinds() {
          const toml::node* node = r.find("centrifugal");
          r.push(Rational(node && !r.c.text.truth(*node, "centrifugal") ? 0 : 1));
        }},
-      {"expression", Kind::expression, {"acceleration"}, read_expression},
+      {"expression", ForceKind::expression, {"acceleration"}, read_expression},
       {"potential",
-       Kind::potential,
+       ForceKind::potential,
        {"potential"},
        [](const Reading& r) {
          r.force.expressions.push_back(r.expression(r.need("potential"), "potential"));
@@ -275,7 +275,7 @@ SceneForce read_force(const SceneContext& context, const toml::table& table) {
         kind_node, "unknown force '" + kind + "'" + did_you_mean(kind, names) + " (there are " + known + ")");
   }
   std::vector<std::string> keys{"kind", "name", "held", "by_engine"};
-  if (entry->kind != Kind::link && entry->kind != Kind::n_body) keys.emplace_back("bodies");
+  if (entry->kind != ForceKind::link && entry->kind != ForceKind::n_body) keys.emplace_back("bodies");
   keys.insert(keys.end(), entry->keys.begin(), entry->keys.end());
   text.check_keys(table, "a force of kind " + kind, keys);
   SceneForce force;

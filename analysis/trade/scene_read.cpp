@@ -12,27 +12,27 @@ namespace shortfall {
 
 namespace {
 
-using Kind = SceneObservable::Kind;
+using ObservableKind = SceneObservable::Kind;
 
 struct ObservableEntry {
   const char* name;
-  Kind kind;
+  ObservableKind kind;
   std::vector<std::string> keys;
   int length, time;  ///< of its dimension; length counts where coordinates are lengths
 };
 
 const std::vector<ObservableEntry>& observables() {
   static const std::vector<ObservableEntry> table{
-      {"position", Kind::position, {"at"}, 1, 0},
-      {"velocity", Kind::velocity, {"at"}, 1, -1},
-      {"peak", Kind::peak, {"axis", "reading"}, 1, 0},
-      {"apex-time", Kind::apex_time, {"axis"}, 0, 1},
-      {"event-time", Kind::event_time, {"event", "count"}, 0, 1},
-      {"event-place", Kind::event_place, {"event", "count"}, 1, 0},
-      {"period", Kind::period, {"event", "count"}, 0, 1},
-      {"phase", Kind::phase, {"event", "count"}, 0, 0},
-      {"energy-drift", Kind::energy_drift, {}, 0, 0},
-      {"path", Kind::path, {"count"}, 1, 0},
+      {"position", ObservableKind::position, {"at"}, 1, 0},
+      {"velocity", ObservableKind::velocity, {"at"}, 1, -1},
+      {"peak", ObservableKind::peak, {"axis", "reading"}, 1, 0},
+      {"apex-time", ObservableKind::apex_time, {"axis"}, 0, 1},
+      {"event-time", ObservableKind::event_time, {"event", "count"}, 0, 1},
+      {"event-place", ObservableKind::event_place, {"event", "count"}, 1, 0},
+      {"period", ObservableKind::period, {"event", "count"}, 0, 1},
+      {"phase", ObservableKind::phase, {"event", "count"}, 0, 0},
+      {"energy-drift", ObservableKind::energy_drift, {}, 0, 0},
+      {"path", ObservableKind::path, {"count"}, 1, 0},
   };
   return table;
 }
@@ -236,7 +236,7 @@ class SceneReader {
     o.axis = axis(table, scene_.dimension - 1);
     o.dimension = {context_.angles ? 0 : entry->length, entry->time, 0};
     o.unit = scene_.units.unit(o.dimension);
-    if ((context_.angles && entry->length != 0) || o.kind == Kind::phase)
+    if ((context_.angles && entry->length != 0) || o.kind == ObservableKind::phase)
       o.unit = "rad" + (entry->time == 0 ? "" : "/" + scene_.units.time);
     o.tolerance =
         positive(text_.need(table, "tolerance", "the observable '" + kind + "'"), "tolerance", o.dimension);
@@ -259,13 +259,13 @@ class SceneReader {
         throw text_.error(*node, "reading is \"frames\" or \"between\", not '" + word + "'");
       o.at_frames = word == "frames";
     }
-    if (o.kind == Kind::position || o.kind == Kind::velocity) {
+    if (o.kind == ObservableKind::position || o.kind == ObservableKind::velocity) {
       const toml::node* node = text_.find(table, "at");
       o.at = node ? positive(*node, "at", {0, 1, 0}) : scene_.until;
       if (node && o.at > scene_.until) throw text_.error(*node, "at is after the end of the scene (until)");
     }
-    const bool by_event = o.kind == Kind::event_time || o.kind == Kind::event_place ||
-                          o.kind == Kind::period || o.kind == Kind::phase;
+    const bool by_event = o.kind == ObservableKind::event_time || o.kind == ObservableKind::event_place ||
+                          o.kind == ObservableKind::period || o.kind == ObservableKind::phase;
     if (by_event) {
       const toml::node& node = text_.need(table, "event", "the observable '" + kind + "'");
       const std::string word = text_.text(node, "event");
@@ -277,8 +277,8 @@ class SceneReader {
       if (!o.event) throw text_.error(node, "there is no event '" + word + "'" + did_you_mean(word, names));
       o.body = scene_.events[static_cast<std::size_t>(*o.event)].body;
     }
-    const bool counts_periods = o.kind == Kind::period || o.kind == Kind::phase;
-    o.count = counts_periods ? 2 : o.kind == Kind::path ? 64 : 1;
+    const bool counts_periods = o.kind == ObservableKind::period || o.kind == ObservableKind::phase;
+    o.count = counts_periods ? 2 : o.kind == ObservableKind::path ? 64 : 1;
     if (const auto* node = text_.find(table, "count"))
       o.count = static_cast<int>(text_.whole(*node, "count", counts_periods ? 2 : 1, 1'000'000));
   }
@@ -288,11 +288,11 @@ class SceneReader {
     if (o.event)
       name = scene_.events[static_cast<std::size_t>(*o.event)].name + " " +
              (kind.starts_with("event-") ? kind.substr(6) : kind);
-    if (o.kind == Kind::position || o.kind == Kind::velocity) {
+    if (o.kind == ObservableKind::position || o.kind == ObservableKind::velocity) {
       name += " at " + o.at.significant(6);
       if (!scene_.units.time.empty()) name += " " + scene_.units.time;
     }
-    if (scene_.bodies.size() > 1 && o.kind != Kind::energy_drift && o.kind != Kind::path)
+    if (scene_.bodies.size() > 1 && o.kind != ObservableKind::energy_drift && o.kind != ObservableKind::path)
       name = scene_.bodies[static_cast<std::size_t>(o.body)].name + " " + name;
     return name;
   }

@@ -12,11 +12,6 @@ using namespace shortfall;
 
 namespace {
 
-const std::vector<std::string> kNames{"h", "n", "x"};
-const Polynomial h = Polynomial::letter(0);
-const Polynomial n = Polynomial::letter(1);
-const Polynomial x = Polynomial::letter(2);
-
 using Values = std::map<Letter, Rational>;
 
 /// Values for the letters 0, 3, 15 that random polynomials use.
@@ -68,7 +63,7 @@ TEST_CASE("an exponent goes up to 65535 and not beyond, in every letter, and nev
   CHECK_THROWS_AS(Monomial::of(16), Error);
   CHECK_THROWS_AS(Monomial::of(-1), Error);
   CHECK_THROWS_AS(Monomial::of(0, -1), Error);
-  CHECK_THROWS_AS(h.degree(16), Error);
+  CHECK_THROWS_AS(Polynomial::letter(0).degree(16), Error);
 }
 
 TEST_CASE("one monomial divides another when no exponent is larger") {
@@ -143,6 +138,7 @@ TEST_CASE("a polynomial may be put in place of a letter") {
     RC_ASSERT_FALSE(a.substitute(3, Rational(5, 7)).contains(3));
     RC_ASSERT(a.substitute(3, Polynomial::letter(3)) == a);
   }));
+  const Polynomial h = Polynomial::letter(0), n = Polynomial::letter(1), x = Polynomial::letter(2);
   CHECK((h.pow(7) + h).substitute(0, n + 1) == (n + 1).pow(7) + n + 1);
   CHECK((h.pow(3) * n + h).substitute(0, 2 * n * x) == 8 * n.pow(4) * x.pow(3) + 2 * n * x);
   CHECK((h - n).substitute(0, n).is_zero());
@@ -166,6 +162,7 @@ TEST_CASE("derivatives obey Leibniz's rule") {
   CHECK(rc::check([](const Polynomial& a, const Polynomial& b) {
     RC_ASSERT((a * b).derivative(3) == a.derivative(3) * b + a * b.derivative(3));
   }));
+  const Polynomial h = Polynomial::letter(0);
   CHECK(h.pow(3).derivative(0) == 3 * h * h);
   CHECK(h.derivative(1).is_zero());
 }
@@ -187,6 +184,7 @@ TEST_CASE("a polynomial may be combined with itself") {
 }
 
 TEST_CASE("degrees and constants are read off") {
+  const Polynomial h = Polynomial::letter(0), n = Polynomial::letter(1), x = Polynomial::letter(2);
   const Polynomial p = h.pow(2) * n + 3 * x + 5;
   CHECK(p.degree(0) == 2);
   CHECK(p.degree(3) == 0);
@@ -204,16 +202,19 @@ TEST_CASE("degrees and constants are read off") {
 }
 
 TEST_CASE("a polynomial prints with the caller's names, largest terms first") {
-  CHECK((Rational(1, 2) * h * h * n - 1).str(kNames) == "1/2*h^2*n - 1");
-  CHECK((-h + n - Rational(3, 2) * x).str(kNames) == "-h + n - 3/2*x");
-  CHECK((-h * n).str(kNames) == "-h*n");
-  CHECK(Polynomial().str(kNames) == "0");
-  CHECK(Polynomial(Rational(-1, 3)).str(kNames) == "-1/3");
-  CHECK((x * x + h * x + h * h + n).str(kNames) == "h^2 + h*x + x^2 + n");
-  CHECK_THROWS_AS(Polynomial::letter(3).str(kNames), Error);
+  const std::vector<std::string> names{"h", "n", "x"};
+  const Polynomial h = Polynomial::letter(0), n = Polynomial::letter(1), x = Polynomial::letter(2);
+  CHECK((Rational(1, 2) * h * h * n - 1).str(names) == "1/2*h^2*n - 1");
+  CHECK((-h + n - Rational(3, 2) * x).str(names) == "-h + n - 3/2*x");
+  CHECK((-h * n).str(names) == "-h*n");
+  CHECK(Polynomial().str(names) == "0");
+  CHECK(Polynomial(Rational(-1, 3)).str(names) == "-1/3");
+  CHECK((x * x + h * x + h * h + n).str(names) == "h^2 + h*x + x^2 + n");
+  CHECK_THROWS_AS(Polynomial::letter(3).str(names), Error);
 }
 
 TEST_CASE("a polynomial is made from coefficients, or from terms in any order") {
+  const Polynomial h = Polynomial::letter(0);
   const std::vector<Rational> coefficients{1, 0, Rational(1, 2)};
   CHECK(Polynomial::in(0, coefficients) == Rational(1, 2) * h * h + 1);
   CHECK(Polynomial::from_terms(
@@ -221,6 +222,7 @@ TEST_CASE("a polynomial is made from coefficients, or from terms in any order") 
 }
 
 TEST_CASE("a letter without a value, or a negative power, is an error") {
+  const Polynomial h = Polynomial::letter(0), n = Polynomial::letter(1);
   CHECK_THROWS_AS((h + n).evaluate({{0, 1}}), Error);
   CHECK_THROWS_AS((h + n).pow(-1), Error);
   CHECK(Polynomial(5).evaluate({}) == 5);

@@ -20,10 +20,10 @@ Element nested(int degree, std::string_view letters) {
   return result;
 }
 
-using Matrix = std::vector<std::vector<Rational>>;
+using RationalMatrix = std::vector<std::vector<Rational>>;
 
-Matrix product(const Matrix& x, const Matrix& y) {
-  Matrix result(x.size(), std::vector<Rational>(x.size()));
+RationalMatrix product(const RationalMatrix& x, const RationalMatrix& y) {
+  RationalMatrix result(x.size(), std::vector<Rational>(x.size()));
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t k = 0; k < x.size(); ++k)
       if (!x[i][k].is_zero())
@@ -31,21 +31,21 @@ Matrix product(const Matrix& x, const Matrix& y) {
   return result;
 }
 
-Matrix plus(Matrix x, const Rational& factor, const Matrix& y) {
+RationalMatrix plus(RationalMatrix x, const Rational& factor, const RationalMatrix& y) {
   for (std::size_t i = 0; i < x.size(); ++i)
     for (std::size_t j = 0; j < x.size(); ++j) x[i][j] += factor * y[i][j];
   return x;
 }
 
-Matrix unit(std::size_t n) {
-  Matrix result(n, std::vector<Rational>(n));
+RationalMatrix unit(std::size_t n) {
+  RationalMatrix result(n, std::vector<Rational>(n));
   for (std::size_t i = 0; i < n; ++i) result[i][i] = 1;
   return result;
 }
 
 /// Of a matrix whose powers end.
-Matrix exponential(const Matrix& x) {
-  Matrix result = unit(x.size()), term = result;
+RationalMatrix exponential(const RationalMatrix& x) {
+  RationalMatrix result = unit(x.size()), term = result;
   for (int k = 1; k < static_cast<int>(x.size()); ++k) {
     term = product(term, x);
     result = plus(result, Rational(1) / factorial(k), term);
@@ -53,9 +53,9 @@ Matrix exponential(const Matrix& x) {
   return result;
 }
 
-Matrix logarithm(const Matrix& x) {
-  const Matrix rest = plus(x, -1, unit(x.size()));
-  Matrix result(x.size(), std::vector<Rational>(x.size())), power = unit(x.size());
+RationalMatrix logarithm(const RationalMatrix& x) {
+  const RationalMatrix rest = plus(x, -1, unit(x.size()));
+  RationalMatrix result(x.size(), std::vector<Rational>(x.size())), power = unit(x.size());
   for (int k = 1; k < static_cast<int>(x.size()); ++k) {
     power = product(power, rest);
     result = plus(result, Rational(k % 2 == 1 ? 1 : -1, k), power);
@@ -63,15 +63,16 @@ Matrix logarithm(const Matrix& x) {
   return result;
 }
 
-Matrix value(const Element& x, int d, int index, const Matrix& a, const Matrix& b) {
+RationalMatrix value(const Element& x, int d, int index, const RationalMatrix& a, const RationalMatrix& b) {
   if (d == 1) return index == 0 ? a : b;
   const auto [left, right] = x.basis().factors(d, index);
-  const Matrix u = value(x, left.first, left.second, a, b), v = value(x, right.first, right.second, a, b);
+  const RationalMatrix u = value(x, left.first, left.second, a, b),
+                       v = value(x, right.first, right.second, a, b);
   return plus(product(u, v), -1, product(v, u));
 }
 
-Matrix strictly_upper(std::size_t n) {
-  Matrix result(n, std::vector<Rational>(n));
+RationalMatrix strictly_upper(std::size_t n) {
+  RationalMatrix result(n, std::vector<Rational>(n));
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = i + 1; j < n; ++j) result[i][j] = *random::small_rational();
   return result;
@@ -115,9 +116,9 @@ TEST_CASE("[A,[A,...[A,B]]] has a Bernoulli number over a factorial as its coeff
 TEST_CASE("for nilpotent matrices the series gives the logarithm of the product") {
   CHECK(rc::check([] {
     constexpr std::size_t kSize = 6;  // brackets of six factors vanish
-    const Matrix a = strictly_upper(kSize), b = strictly_upper(kSize);
+    const RationalMatrix a = strictly_upper(kSize), b = strictly_upper(kSize);
     const Element z = bch(Element::a(5), Element::b(5));
-    Matrix sum(kSize, std::vector<Rational>(kSize));
+    RationalMatrix sum(kSize, std::vector<Rational>(kSize));
     for (int d = 1; d <= 5; ++d)
       for (int i = 0; i < z.basis().dimension(d); ++i)
         if (!z.at(d, i).is_zero()) sum = plus(sum, z.at(d, i), value(z, d, i, a, b));

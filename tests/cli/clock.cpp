@@ -1,48 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `shortfall clock` as a user meets it: its JSON, its CSV, its exit codes, what it says.
 #include <doctest/doctest.h>
-#include <sys/wait.h>
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "analysis/algebra/rational.hpp"
+#include "tests/cli/command.hpp"
 
 namespace shortfall {
 namespace {
 
-struct CommandRun {
-  int code;
-  std::string said;
-};
+CommandRun clock_command(const std::string& options) { return run("clock " + options); }
 
-/// stdout and stderr together.
-CommandRun clock_command(const std::string& options) {
-  const std::string command = std::string(SHORTFALL_BINARY) + " clock " + options + " 2>&1";
-  FILE* const pipe = popen(command.c_str(), "r");
-  REQUIRE(pipe != nullptr);
-  std::string said;
-  std::array<char, 4096> part{};
-  while (const std::size_t size = std::fread(part.data(), 1, part.size(), pipe))
-    said.append(part.data(), size);
-  return {WEXITSTATUS(pclose(pipe)), said};
-}
-
-nlohmann::json json(const std::string& options) {
-  const CommandRun o = clock_command(options + " --json");
-  REQUIRE(o.code == 0);
-  return nlohmann::json::parse(o.said);
-}
-
-bool has(const CommandRun& o, const std::string& text) { return o.said.find(text) != std::string::npos; }
+nlohmann::json clock_json(const std::string& options) { return json_of("clock " + options); }
 
 }  // namespace
 
 TEST_CASE("clock --json carries the numbers that other programs rely on") {
-  const nlohmann::json a = json("--dt 0.1f --steps 1e6");
+  const nlohmann::json a = clock_json("--dt 0.1f --steps 1e6");
   CHECK(a["schema"] == "shortfall.clock/1");
   CHECK(a["value"] == "3230667/32");
   CHECK(a["exact"] == "100000");
@@ -54,39 +30,42 @@ TEST_CASE("clock --json carries the numbers that other programs rely on") {
   CHECK(Rational::parse(a["representation"].get<std::string>()) +
             Rational::parse(a["rounding_error"].get<std::string>()) ==
         Rational(-30667, 32));
-  CHECK(json("--dt 1/60f --steps 1e18")["freezes_at"]["additions"] == "24986955");
-  CHECK(json("--dt 1/60f --until 24h")["steps"] == "5184000");
-  CHECK(json("--dt 0.1 --until 100h --format fixed:23 --rounding toward-zero")["error"] == "5625/16384");
-  CHECK(json("--dt 0.1d --steps 3")["format"] == "f64");
-  CHECK(json("--dt 0.1 --steps 1e30 --format f64 --rounding up")["value"].is_null());
-  CHECK(json("--dt=-0.1 --x0 1 --steps 20 --format f16")["value"] == "-1025/1024");
-  const nlohmann::json moves = json("--dt 0.02 --velocity 3 --x0 10km --until 1h");
+  CHECK(clock_json("--dt 1/60f --steps 1e18")["freezes_at"]["additions"] == "24986955");
+  CHECK(clock_json("--dt 1/60f --until 24h")["steps"] == "5184000");
+  CHECK(clock_json("--dt 0.1 --until 100h --format fixed:23 --rounding toward-zero")["error"] ==
+        "5625/16384");
+  CHECK(clock_json("--dt 0.1d --steps 3")["format"] == "f64");
+  CHECK(clock_json("--dt 0.1 --steps 1e30 --format f64 --rounding up")["value"].is_null());
+  CHECK(clock_json("--dt=-0.1 --x0 1 --steps 20 --format f16")["value"] == "-1025/1024");
+  const nlohmann::json moves = clock_json("--dt 0.02 --velocity 3 --x0 10km --until 1h");
   CHECK(moves["unit"] == "m");
   CHECK(moves["value"] == "665401/32");
 }
 
 TEST_CASE("clock --kahan says how its value is known") {
-  CHECK(json("--dt 1/60f --until 24h --kahan")["kahan"]["known"] == "closed form, proved");
-  const nlohmann::json far = json("--dt 0.1f --steps 1e12 --kahan");
+  CHECK(clock_json("--dt 1/60f --until 24h --kahan")["kahan"]["known"] == "closed form, proved");
+  const nlohmann::json far = clock_json("--dt 0.1f --steps 1e12 --kahan");
   CHECK(far["kahan"]["known"] == "bounded, proved");
   CHECK(far["value"].is_null());
-  CHECK(json("--dt 0.1f --steps 6e6 --format f32+kahan")["kahan"]["known"] == "stepped through");
-  CHECK(has(clock_command("--dt 0.1f --steps 1e12 --kahan"), "a bound, proved"));
+  CHECK(clock_json("--dt 0.1f --steps 6e6 --format f32+kahan")["kahan"]["known"] == "stepped through");
+  CHECK(contains(clock_command("--dt 0.1f --steps 1e12 --kahan").text(), "a bound, proved"));
 }
 
 TEST_CASE("clock --csv has a line for each spacing, consecutive, up to where the clock stops") {
   const CommandRun o = clock_command("--dt 1/60f --steps 1 --csv");
   CHECK(o.code == 0);
-  CHECK(o.said.starts_with("sums_from,sums_to,first_addition,"));
-  CHECK(has(o, ",16598347,24986955,1/32,"));
-  CHECK(std::ranges::count(o.said, '\n') == 26);
+  CHECK(o.error.empty());
+  CHECK(o.out.starts_with("sums_from,sums_to,first_addition,"));
+  CHECK(contains(o.out, ",16598347,24986955,1/32,"));
+  CHECK(std::ranges::count(o.out, '\n') == 26);
 }
 
 TEST_CASE("clock in ASCII has no other characters, and 10^18 additions are said to have stopped") {
   const CommandRun o = clock_command("--dt 0.1f --steps 1e18 --ascii");
   CHECK(o.code == 0);
-  CHECK(std::ranges::all_of(o.said, [](char c) { return static_cast<unsigned char>(c) < 128; }));
-  CHECK(has(o, "2^21 = 2097152 s, after 18073720 additions"));
+  const std::string text = o.text();
+  CHECK(std::ranges::all_of(text, [](char c) { return static_cast<unsigned char>(c) < 128; }));
+  CHECK(contains(text, "2^21 = 2097152 s, after 18073720 additions"));
 }
 
 TEST_CASE("clock refuses what has no answer, with the documented exit codes") {
@@ -100,11 +79,11 @@ TEST_CASE("clock refuses what has no answer, with the documented exit codes") {
     INFO(options);
     const CommandRun o = clock_command(options);
     CHECK(o.code == 2);
-    CHECK(o.said.starts_with("shortfall: "));
-    CHECK(std::ranges::count(o.said, '\n') == 1);
+    CHECK(o.text().starts_with("shortfall: "));
+    CHECK(std::ranges::count(o.text(), '\n') == 1);
   }
-  CHECK(has(clock_command("--dt 0.1 --steps 5 --format f23"), "did you mean 'f32'?"));
-  CHECK(has(clock_command("--dt 0.1 --step 5"), "did you mean '--steps'?"));
+  CHECK(contains(clock_command("--dt 0.1 --steps 5 --format f23").text(), "did you mean 'f32'?"));
+  CHECK(contains(clock_command("--dt 0.1 --step 5").text(), "did you mean '--steps'?"));
   CHECK(clock_command("--dt 0.1 --steps 5 --format dd").code == 4);
   CHECK(clock_command("--dt 0.1 --steps 1e18 --format mpfr:3 --rounding up").code == 4);
   CHECK(clock_command("--dt 0.1 --steps 5 -o /nonexistent/clock.txt").code == 5);

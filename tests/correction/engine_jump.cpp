@@ -14,11 +14,12 @@
 #include "analysis/correction/intended_motion.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/parse.hpp"
+#include "tests/correction/engine_loop.hpp"
 
 namespace shortfall {
 namespace {
 
-const Rational kDt(1, 50), kG(981, 100);
+using testing::EngineLoop, testing::kDt, testing::kG;
 
 EngineJump of(const char* engine, const Rational& height, Values values = {}) {
   return engine_jump(find_integrator(engine),
@@ -252,29 +253,14 @@ TEST_CASE("long damped flights are fast, and their top is the first frame that d
   CHECK(flight.height(launch, kG, top.n - 1) < top.height);
 }
 
-/// Rise of a body that is pushed with the acceleration 1/dt during frame 1, without gravity, and the fall of
-/// one that is not; damped by 1 - c dt once a frame, the acceleration spread over N substeps.
-struct PushedLoop {
-  Rational c;
-  int substeps;
-  Rational x = 0, v = 0;
-
-  void frame(const Rational& acceleration) {
-    v *= Rational(1) - c * kDt;
-    for (int s = 0; s < substeps; ++s) {
-      v += acceleration * kDt / substeps;
-      x += v * kDt / substeps;
-    }
-  }
-};
-
 TEST_CASE("a force held over frame 1 launches like the engine's loop that is given it") {
   const Program engine = find_integrator("physx-tgs-external-forces");
   for (const int n_substeps : {1, 4, 7})
     for (const Rational& c : {Rational(0), Rational(1, 4)}) {
       CAPTURE(n_substeps);
       const Flight flight(engine, kDt, 1, {{"c", c}, {"N", n_substeps}}, LaunchBy::force);
-      PushedLoop up{c, n_substeps}, down{c, n_substeps};
+      // Pushed with the acceleration 1/dt during frame 1, without gravity; and in a gravity of 1 alone.
+      EngineLoop up{c, n_substeps, true}, down{c, n_substeps, true};
       for (int n = 1; n <= 60; ++n) {
         up.frame(n == 1 ? Rational(1) / kDt : Rational(0));
         down.frame(1);

@@ -7,36 +7,20 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/jump.hpp"
 #include "analysis/program/catalogue.hpp"
+#include "tests/correction/engine_loop.hpp"
 
 namespace shortfall {
 namespace {
 
-const Rational kDt(1, 50), kG(981, 100);
-
-/// Rapier's frame: N kicks and drifts, then the damping. PhysX' frame is its damping, then the same.
-struct Loop {
-  Rational c;
-  int substeps;
-  bool damps_first;
-  Rational x, v;
-
-  void frame(const Rational& acceleration) {
-    if (damps_first) v *= Rational(1) - c * kDt;
-    for (int s = 0; s < substeps; ++s) {
-      v += acceleration * kDt / substeps;
-      x += v * kDt / substeps;
-    }
-    if (!damps_first) v /= Rational(1) + c * kDt;
-  }
-};
+using testing::EngineLoop, testing::kDt, testing::kG;
 
 /// launch, held over `frames`, in gravity.
-Rational height(Loop loop, const Rational& launch, int frames, int n) {
+Rational height(EngineLoop loop, const Rational& launch, int frames, int n) {
   for (int k = 1; k <= n; ++k) loop.frame((k <= frames ? launch / (kDt * frames) : Rational(0)) - kG);
   return loop.x;
 }
 
-Flight flight_of(const Loop& loop, int frames) {
+Flight flight_of(const EngineLoop& loop, int frames) {
   return Flight(find_integrator(loop.damps_first ? "physx-tgs-external-forces" : "rapier"), kDt, 1,
                 {{"c", loop.c}, {"N", loop.substeps}}, LaunchBy::force, frames);
 }
@@ -44,8 +28,8 @@ Flight flight_of(const Loop& loop, int frames) {
 TEST_CASE(
     "a force that is held over any number of frames lifts a body like the engine's loop that is given it") {
   CHECK(rc::check([] {
-    const Loop loop{
-        Rational(*rc::gen::inRange(0, 3), 4), *rc::gen::inRange(1, 6), *rc::gen::arbitrary<bool>(), {}, {}};
+    const EngineLoop loop{Rational(*rc::gen::inRange(0, 3), 4), *rc::gen::inRange(1, 6),
+                          *rc::gen::arbitrary<bool>()};
     const int frames = *rc::gen::inRange(1, 40);
     const Flight flight = flight_of(loop, frames);
     const Rational launch(*rc::gen::inRange(1, 400), 7);
@@ -62,7 +46,7 @@ TEST_CASE("the force that takes a frame to the height takes no frame higher") {
       for (const int substeps : {1, 4}) {
         CAPTURE(frames);
         CAPTURE(substeps);
-        const Loop loop{c, substeps, false, {}, {}};
+        const EngineLoop loop{c, substeps, false};
         const Jump held = jump(find_integrator("rapier"), {.height = Rational(17, 10),
                                                            .parameters = {{"c", c}, {"N", substeps}},
                                                            .binary32_frames = 0,
@@ -78,7 +62,7 @@ TEST_CASE("the force that takes a frame to the height takes no frame higher") {
         // What is compared: the launch of the exact motion, and its highest frame.
         Surd best;
         for (int n = 0; n <= 120; ++n) {
-          const Loop free{c, substeps, false, {}, {}};
+          const EngineLoop free{c, substeps, false};
           // Heights are affine in the launch.
           const Rational fall = height(free, 0, frames, n), rise = height(free, 1, frames, n) - fall;
           best = std::max(best, held.launch_velocity * rise + Surd(fall));

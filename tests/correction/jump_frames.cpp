@@ -11,6 +11,7 @@
 #include "analysis/program/parse.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/transform.hpp"
+#include "tests/correction/engine_loop.hpp"
 #include "tests/undamped_catalogue.hpp"
 
 namespace shortfall {
@@ -18,8 +19,7 @@ namespace {
 
 using Steps = std::vector<Rational>;
 using End = FrameJump::End;
-
-const Rational kG(981, 100);
+using testing::kG;
 
 /// About 60 Hz with a hitch now and then; long enough for a jump of a metre or two.
 Steps random_frames() {

@@ -17,14 +17,14 @@ namespace shortfall {
 namespace {
 
 /// A jump of at most about a hundred frames. Engines do not damp here, and their limits do not act.
-struct Case {
+struct ShortJump {
   Program program;
   Values values;
   int substeps;
   Rational dt, g, height;
 };
 
-Case random_case() {
+ShortJump random_jump() {
   const Program program = *rc::gen::elementOf(testing::short_catalogue());
   const int substeps = *rc::gen::weightedElement<int>({{4, 1}, {1, 2}, {1, 4}});
   const Rational dt(*rc::gen::inRange(1, 30), *rc::gen::inRange(20, 500));
@@ -37,7 +37,7 @@ Case random_case() {
   return {program, values, substeps, dt, g, g * dt * dt * q / 2};
 }
 
-Jump jump_of(const Case& c) {
+Jump jump_of(const ShortJump& c) {
   return jump(c.program, {.height = c.height,
                           .dt = c.dt,
                           .g = c.g,
@@ -47,7 +47,7 @@ Jump jump_of(const Case& c) {
 }
 
 /// Heights of frames 0..count by stepping.
-std::vector<Surd> stepped(const Case& c, const Surd& launch, int count) {
+std::vector<Surd> stepped(const ShortJump& c, const Surd& launch, int count) {
   const Tape tape = lower(undisturbed(substepped(c.program, c.substeps)), c.values);
   Numbers<Surd> problem{.force = [&](const Surd&, const Surd&, const Surd&) { return Surd(-c.g); }};
   Run<Numbers<Surd>> run(tape, problem, Surd(c.dt));
@@ -68,7 +68,7 @@ int count_of(const Rational& n) {
 
 TEST_CASE("the shortfall is the method's part and the sampling's, exactly, and sampling is never negative") {
   CHECK(rc::check([] {
-    const Case c = random_case();
+    const ShortJump c = random_jump();
     const Jump j = jump_of(c);
     RC_ASSERT(j.shortfall.total == j.shortfall.method + j.shortfall.sampling);
     RC_ASSERT(j.shortfall.total == Surd(c.height) - j.best_frame.height);
@@ -78,7 +78,7 @@ TEST_CASE("the shortfall is the method's part and the sampling's, exactly, and s
 
 TEST_CASE("the highest frame is the one that stepping finds, the earliest of two") {
   CHECK(rc::check([] {
-    const Case c = random_case();
+    const ShortJump c = random_jump();
     const Jump j = jump_of(c);
     const std::vector<Surd> heights = stepped(c, j.launch_velocity, count_of(j.best_frame.n) + 30);
     std::size_t best = 0;
@@ -93,7 +93,7 @@ TEST_CASE("the highest frame is the one that stepping finds, the earliest of two
 
 TEST_CASE("corrected, every frame is the parabola, sampled") {
   CHECK(rc::check([] {
-    const Case c = random_case();
+    const ShortJump c = random_jump();
     const Jump j = jump_of(c);
     RC_ASSERT(j.corrected.has_value());
     RC_ASSERT(j.corrected->exact_at_every_frame);
@@ -110,7 +110,7 @@ TEST_CASE("corrected, every frame is the parabola, sampled") {
 
 TEST_CASE("on a frame, the top is H exactly, earlier frames are lower and later ones not higher") {
   CHECK(rc::check([] {
-    const Case c = random_case();
+    const ShortJump c = random_jump();
     const Jump j = jump_of(c);
     RC_ASSERT(j.on_frame.has_value());
     const std::size_t top = static_cast<std::size_t>(count_of(j.on_frame->top.n));
@@ -124,7 +124,7 @@ TEST_CASE("on a frame, the top is H exactly, earlier frames are lower and later 
 TEST_CASE(
     "a jump that aims just higher than the lift-off height leaves the ground, one that does not stays") {
   CHECK(rc::check([] {
-    Case c = random_case();
+    ShortJump c = random_jump();
     const Jump j = jump_of(c);
     RC_ASSERT(j.lift_off.height.has_value());
     const Rational edge = *j.lift_off.height;
@@ -146,11 +146,11 @@ TEST_CASE("two frames that are equally high are a tie, and the earlier one is na
   // Verlet at u = (2 m + 1) g dt / 2: symmetric about m + 1/2.
   const Rational dt(1, 50), g(981, 100);
   const Rational launch = 7 * g * dt / 2;
-  const Jump j = jump(find_integrator("velocity-verlet"), {.height = launch * launch / (2 * g)});
+  const Jump j = jump(find_integrator("velocity-verlet"), JumpQuestion{.height = launch * launch / (2 * g)});
   CHECK(j.best_frame.n == 3);
   CHECK(j.tie);
   // H = 3 * 4 g dt^2 / 2: frames 3 and 4 can both be the top, and at H both are.
-  const Jump both = jump(find_integrator("symplectic-euler"), {.height = 6 * g * dt * dt});
+  const Jump both = jump(find_integrator("symplectic-euler"), JumpQuestion{.height = 6 * g * dt * dt});
   CHECK(both.on_frame->top.n == 3);
   const Flight flight(find_integrator("symplectic-euler"), dt);
   CHECK(flight.height(both.on_frame->launch, g, 4) == Surd(both.target));

@@ -13,7 +13,8 @@ namespace shortfall {
 namespace {
 
 Jump story(const std::string& height, const std::string& integrator = "symplectic-euler", int substeps = 1) {
-  return jump(find_integrator(integrator), {.height = Rational::parse(height), .substeps = substeps});
+  return jump(find_integrator(integrator),
+              JumpQuestion{.height = Rational::parse(height), .substeps = substeps});
 }
 
 std::string centimetres(const Surd& metres, int places) { return (metres * Surd(100)).decimal(places); }

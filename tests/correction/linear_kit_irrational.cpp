@@ -43,16 +43,16 @@ step
   x  = x1 + sqrt(2)/2*h*v
 )";
 
-const std::vector<Case> kCases = {{"spring", 3, 0, {}},
-                                  {"constant+damped-spring", 4, Rational(1, 3), {2}},
-                                  {"drag", 0, Rational(2, 3), {Rational(-981, 100)}}};
+const std::vector<Case> kThreeForces = {{"spring", 3, 0, {}},
+                                        {"constant+damped-spring", 4, Rational(1, 3), {2}},
+                                        {"drag", 0, Rational(2, 3), {Rational(-981, 100)}}};
 
 }  // namespace
 
 TEST_CASE("kits of integrators with roots and with exp make every frame exact") {
   const Precision precision(kDigits);
   for (const char* text : {kForestRuth, kDampsByExp, kDampsByItself, kSquareRoot})
-    for (const Case& test : kCases) {
+    for (const Case& test : kThreeForces) {
       CAPTURE(text);
       CAPTURE(test.force);
       const Program p = parse(text, "mine.integrator");
@@ -121,7 +121,7 @@ TEST_CASE("the engines of the catalogue have kits, and those make every frame ex
   int repaired = 0;
   for (const char* engine :
        {"box2d-2", "bullet", "godot", "jolt", "matter-js", "physx", "rapier", "ode", "mujoco-rk4"})
-    for (const Case& test : kCases) {
+    for (const Case& test : kThreeForces) {
       CAPTURE(engine);
       CAPTURE(test.force);
       Program p = find_integrator(engine);

@@ -3,7 +3,7 @@
 find_program(SHORTFALL_PYTHON3 python3)
 if(SHORTFALL_PYTHON3 AND TARGET shortfall)
   set(documents README.md)
-  foreach(name index frames linear tableau audit clock lessons order modified floats engines mathematics how-we-know)
+  foreach(name index frames linear tableau audit clock lessons order modified floats engines mathematics how-we-know output)
     list(APPEND documents docs/${name}.md)
   endforeach()
   foreach(name my-jump-is-too-low jump-height-and-frame-rate damping-at-30-hz which-integrator is-float-enough teach-it)

@@ -22,15 +22,15 @@ namespace {
 
 const Rational kG(981, 100), kDt(1, 50);
 
-struct Sample {
+struct NamedFlight {
   std::string what;
   Flight flight;
 };
 
 /// The whole catalogue, some with substeps, and one that nobody would write.
-const std::vector<Sample>& samples() {
-  static const std::vector<Sample> all = [] {
-    std::vector<Sample> list;
+const std::vector<NamedFlight>& flights() {
+  static const std::vector<NamedFlight> all = [] {
+    std::vector<NamedFlight> list;
     for (const Program& p : catalogue())
       if (family(p) != "engines") list.push_back({p.name, Flight(p, kDt)});
     for (const char* name : {"symplectic-euler", "rk4", "leapfrog", "beeman", "implicit-midpoint"})
@@ -69,12 +69,12 @@ const std::vector<Sample>& samples() {
   return all;
 }
 
-/// What each sample prints: launch, on-frame launch, highest frame after the library's binary32 launch,
+/// What each flight prints: launch, on-frame launch, highest frame after the library's binary32 launch,
 /// self-check (0 or 1); all for a jump of 1.7 m.
-void compare(const std::string& output, bool binary32) {
+void compare_jumps(const std::string& output, bool binary32) {
   std::istringstream in(output);
   const double tolerance = binary32 ? 4e-7 : 1e-14;
-  for (const Sample& s : samples()) {
+  for (const NamedFlight& s : flights()) {
     CAPTURE(s.what);
     const Jump j = jump(s.flight, Rational(17, 10), kG);
     double launch = 0, on_frame = 0, top = 0, check = 0;
@@ -92,13 +92,13 @@ void compare(const std::string& output, bool binary32) {
 std::string launch_of(std::size_t k, const char* suffix = "") {
   char text[64];
   std::snprintf(text, sizeof text, "%.9g%s",
-                static_cast<double>(jump(samples()[k].flight, Rational(17, 10), kG).binary32->launch),
+                static_cast<double>(jump(flights()[k].flight, Rational(17, 10), kG).binary32->launch),
                 suffix);
   return text;
 }
 
-/// Whether the sample's launch velocity takes dt as an argument.
-bool takes_dt(const Sample& s) { return mentions(launch_correction(s.flight).formula, "h"); }
+/// Whether the flight's launch velocity takes dt as an argument.
+bool takes_dt(const NamedFlight& s) { return mentions(launch_correction(s.flight).formula, "h"); }
 
 std::string replaced(std::string text, const std::string& from, const std::string& to) {
   for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
@@ -110,9 +110,9 @@ TEST_CASE("C++ compiles without a warning and does bit for bit what the library 
   if (!installed("g++")) return;
   const CodeFolder folder;
   std::string text = "#include <cstdio>\n", main = "int main() {\n";
-  for (std::size_t k = 0; k < samples().size(); ++k) {
+  for (std::size_t k = 0; k < flights().size(); ++k) {
     const std::string space = "jump" + std::to_string(k);
-    text += replaced(replaced(jump_code(samples()[k].flight, kG, Language::cpp), "#pragma once\n", ""),
+    text += replaced(replaced(jump_code(flights()[k].flight, kG, Language::cpp), "#pragma once\n", ""),
                      "namespace jump", "namespace " + space);
     main += "  std::printf(\"%.9g %.9g %.9g %d\\n\", " + space + "::launch_velocity(1.7f), " + space +
             "::on_frame_launch_velocity(1.7f), " + space + "::highest_frame(" + launch_of(k, "f") + "), " +
@@ -122,24 +122,24 @@ TEST_CASE("C++ compiles without a warning and does bit for bit what the library 
   folder.output(
       "g++ -std=c++17 -Wall -Wextra -Wpedantic -Wno-unused-variable -Werror -ffp-contract=off -o jump "
       "jump.cpp");
-  compare(folder.output("./jump"), true);
+  compare_jumps(folder.output("./jump"), true);
 }
 
 TEST_CASE("Rust compiles, passes its own tests and does bit for bit what the library does in binary32") {
   if (!installed("rustc")) return;
   const CodeFolder folder;
   std::string text, main = "fn main() {\n";
-  for (std::size_t k = 0; k < samples().size(); ++k) {
+  for (std::size_t k = 0; k < flights().size(); ++k) {
     const std::string space = "jump" + std::to_string(k);
-    text += "mod " + space + " {\n" + jump_code(samples()[k].flight, kG, Language::rust) + "}\n";
+    text += "mod " + space + " {\n" + jump_code(flights()[k].flight, kG, Language::rust) + "}\n";
     main += "    println!(\"{} {} {} 1\", " + space + "::launch_velocity(1.7, 9.81" +
-            (takes_dt(samples()[k]) ? ", 0.02" : "") + "), " + space +
+            (takes_dt(flights()[k]) ? ", 0.02" : "") + "), " + space +
             "::on_frame_launch_velocity(1.7, 9.81, 0.02), " + space + "::highest_frame(" + launch_of(k) +
             ", 9.81, 0.02));\n";
   }
   folder.write("jump.rs", "#![allow(dead_code)]\n" + text + main + "}\n");
   folder.output("rustc --edition 2021 -A unused-variables -D warnings -o jump jump.rs");
-  compare(folder.output("./jump"), true);
+  compare_jumps(folder.output("./jump"), true);
   folder.output("rustc --edition 2021 --test -o jump-test jump.rs && ./jump-test");
 }
 
@@ -147,16 +147,16 @@ TEST_CASE("Python runs and agrees with the library") {
   if (!installed("python3")) return;
   const CodeFolder folder;
   std::string main;
-  for (std::size_t k = 0; k < samples().size(); ++k) {
+  for (std::size_t k = 0; k < flights().size(); ++k) {
     const std::string space = "jump" + std::to_string(k);
-    folder.write(space + ".py", jump_code(samples()[k].flight, kG, Language::python));
+    folder.write(space + ".py", jump_code(flights()[k].flight, kG, Language::python));
     main += "import " + space +
             " as j\nprint(repr(j.launch_velocity(1.7)), repr(j.on_frame_launch_velocity(1.7)), "
             "repr(j.highest_frame(" +
             launch_of(k) + ")), int(j.self_check()))\n";
   }
   folder.write("main.py", main);
-  compare(folder.output("python3 main.py"), false);
+  compare_jumps(folder.output("python3 main.py"), false);
   folder.output("python3 jump0.py");
 }
 
@@ -164,24 +164,24 @@ TEST_CASE("JavaScript runs and agrees with the library") {
   if (!installed("node")) return;
   const CodeFolder folder;
   std::string main;
-  for (std::size_t k = 0; k < samples().size(); ++k) {
+  for (std::size_t k = 0; k < flights().size(); ++k) {
     const std::string file = "jump" + std::to_string(k) + ".js";
-    folder.write(file, "\"use strict\";\n" + jump_code(samples()[k].flight, kG, Language::javascript));
+    folder.write(file, "\"use strict\";\n" + jump_code(flights()[k].flight, kG, Language::javascript));
     main += "{ const j = require(\"./" + file +
             "\"); console.log(j.launchVelocity(1.7), j.onFrameLaunchVelocity(1.7), j.highestFrame(" +
             launch_of(k) + "), Number(j.selfCheck())); }\n";
   }
   folder.write("main.js", main);
-  compare(folder.output("node main.js"), false);
+  compare_jumps(folder.output("node main.js"), false);
 }
 
 TEST_CASE("C# compiles and agrees with the library") {
   if (!installed("mcs") || !installed("mono")) return;
   const CodeFolder folder;
   std::string text = "using System;\n", main = "static class Program { static void Main() {\n";
-  for (std::size_t k = 0; k < samples().size(); ++k) {
+  for (std::size_t k = 0; k < flights().size(); ++k) {
     const std::string space = "Jump" + std::to_string(k);
-    text += replaced(replaced(jump_code(samples()[k].flight, kG, Language::csharp), "using System;\n", ""),
+    text += replaced(replaced(jump_code(flights()[k].flight, kG, Language::csharp), "using System;\n", ""),
                      "class Jump", "class " + space);
     main += "Console.WriteLine(\"{0:R} {1:R} {2:R} {3}\", " + space + ".LaunchVelocity(1.7f), " + space +
             ".OnFrameLaunchVelocity(1.7f), " + space + ".HighestFrame(" + launch_of(k, "f") + "), " + space +
@@ -189,16 +189,16 @@ TEST_CASE("C# compiles and agrees with the library") {
   }
   folder.write("jump.cs", text + main + "} }\n");
   folder.output("mcs -out:jump.exe jump.cs");
-  compare(folder.output("mono jump.exe"), true);
+  compare_jumps(folder.output("mono jump.exe"), true);
 }
 
 TEST_CASE("GDScript runs and agrees with the library") {
   if (!installed("godot3-server")) return;
   const CodeFolder folder;
   std::string main = "extends SceneTree\n\nfunc _init():\n\tvar j\n";
-  for (std::size_t k = 0; k < samples().size(); ++k) {
+  for (std::size_t k = 0; k < flights().size(); ++k) {
     const std::string file = "jump" + std::to_string(k) + ".gd";
-    folder.write(file, jump_code(samples()[k].flight, kG, Language::gdscript));
+    folder.write(file, jump_code(flights()[k].flight, kG, Language::gdscript));
     main += "\tj = load(\"res://" + file +
             "\")\n\tprint(\"jump \", j.launch_velocity(1.7), \" \", j.on_frame_launch_velocity(1.7), \" \", "
             "j.highest_frame(" +
@@ -210,9 +210,9 @@ TEST_CASE("GDScript runs and agrees with the library") {
   std::size_t k = 0;
   for (std::string line; std::getline(said, line);) {
     if (!line.starts_with("jump ")) continue;  // its banner
-    REQUIRE(k < samples().size());
-    CAPTURE(samples()[k].what);
-    const Jump j = jump(samples()[k++].flight, Rational(17, 10), kG);
+    REQUIRE(k < flights().size());
+    CAPTURE(flights()[k].what);
+    const Jump j = jump(flights()[k++].flight, Rational(17, 10), kG);
     std::istringstream in(line.substr(5));
     double launch = 0, on_frame = 0, top = 0, check = 0;
     REQUIRE(bool(in >> launch >> on_frame >> top >> check));
@@ -222,7 +222,7 @@ TEST_CASE("GDScript runs and agrees with the library") {
     CHECK(top == doctest::Approx(static_cast<double>(j.binary32->top)).epsilon(1e-5));
     CHECK(check == 1);
   }
-  CHECK(k == samples().size());
+  CHECK(k == flights().size());
 }
 
 TEST_CASE("every language says what it corrects, by how much, and for which step") {

@@ -26,7 +26,7 @@ namespace {
 
 constexpr int kSteps = 20;
 
-struct Sample {
+struct SubsteppedProgram {
   Program program;
   int substeps = 1;
 };
@@ -41,9 +41,9 @@ bool can_be_written(const Program& p) {
 }
 
 /// What of the catalogue is explicit, one with substeps, and one with names that are taken elsewhere.
-const std::vector<Sample>& samples() {
-  static const std::vector<Sample> all = [] {
-    std::vector<Sample> list;
+const std::vector<SubsteppedProgram>& written_programs() {
+  static const std::vector<SubsteppedProgram> all = [] {
+    std::vector<SubsteppedProgram> list;
     for (const Program& p : catalogue())
       if (can_be_written(p)) list.push_back({p});
     Program fine = find_integrator("velocity-verlet");
@@ -61,10 +61,10 @@ const std::vector<Sample>& samples() {
   return all;
 }
 
-std::string code_of(const Sample& s, Language language) {
+std::string class_code(const SubsteppedProgram& s, Language language) {
   return integrator_code(s.program, {}, s.substeps, language);
 }
-std::string name_of(const Sample& s) { return cpp_class_name(s.program.name); }
+std::string name_of(const SubsteppedProgram& s) { return cpp_class_name(s.program.name); }
 
 std::string without(std::string text, const std::string& line) {
   for (std::size_t at = 0; (at = text.find(line, at)) != std::string::npos;) text.erase(at, line.size());
@@ -73,9 +73,9 @@ std::string without(std::string text, const std::string& line) {
 
 /// Numbers as they are printed, x and v after each step, of one sample after the other; then 1 for its
 /// self-check.
-void compare(const std::string& output, bool binary32, const auto& read, double tolerance = 0) {
+void compare_steps(const std::string& output, bool binary32, const auto& read, double tolerance = 0) {
   std::istringstream in(output);
-  for (const Sample& s : samples()) {
+  for (const SubsteppedProgram& s : written_programs()) {
     CAPTURE(s.program.name);
     const Program whole = s.substeps == 1 ? s.program : substepped(s.program, s.substeps);
     const FirstSteps wanted = first_steps(whole, {}, binary32, kSteps);
@@ -100,7 +100,7 @@ void compare(const std::string& output, bool binary32, const auto& read, double 
 double of_decimal(const std::string& text) { return std::stod(text); }
 double of_binary32(const std::string& text) { return static_cast<double>(std::stof(text)); }
 
-TEST_CASE("nearly all of the catalogue can be written") { CHECK(samples().size() >= 45); }
+TEST_CASE("nearly all of the catalogue can be written") { CHECK(written_programs().size() >= 45); }
 
 TEST_CASE("integrators as classes of C++ compile without a warning and have the bits of shortfall") {
   if (!installed("g++")) return;
@@ -109,8 +109,8 @@ TEST_CASE("integrators as classes of C++ compile without a warning and have the 
   std::string main =
       "int main() {\n  const auto force = [](float x, float v, float t) { return t - 2.0f * x - 0.25f * v; "
       "};\n";
-  for (const Sample& s : samples()) {
-    text += without(code_of(s, Language::cpp), "#pragma once\n");
+  for (const SubsteppedProgram& s : written_programs()) {
+    text += without(class_code(s, Language::cpp), "#pragma once\n");
     std::string function = s.program.name;
     for (char& c : function)
       if (c == '-') c = '_';
@@ -125,24 +125,24 @@ TEST_CASE("integrators as classes of C++ compile without a warning and have the 
   folder.output(
       "g++ -std=c++17 -O1 -Wall -Wextra -Wpedantic -Wno-unused-variable -Werror -ffp-contract=off -o all "
       "all.cpp");
-  compare(folder.output("./all"), true, of_binary32);
+  compare_steps(folder.output("./all"), true, of_binary32);
 }
 
 TEST_CASE("integrators as classes of Rust") {
   if (!installed("rustc")) return;
   const CodeFolder folder;
   std::string text = "#![allow(dead_code)]\n", main = "fn main() {\n";
-  for (std::size_t k = 0; k < samples().size(); ++k) {
+  for (std::size_t k = 0; k < written_programs().size(); ++k) {
     const std::string space = "m" + std::to_string(k);
-    text += "mod " + space + " {\n" + code_of(samples()[k], Language::rust) + "}\n";
-    main += "  { let mut b = " + space + "::" + name_of(samples()[k]) +
+    text += "mod " + space + " {\n" + class_code(written_programs()[k], Language::rust) + "}\n";
+    main += "  { let mut b = " + space + "::" + name_of(written_programs()[k]) +
             "::new(|x, v, t| t - 2.0 * x - 0.25 * v, 0.5, -0.75, 0.1);\n    for _ in 0.." +
             std::to_string(kSteps) +
             " { b.step(); let (x, v) = b.read_out(); println!(\"{} {}\", x, v); }\n    println!(\"1\"); }\n";
   }
   folder.write("all.rs", text + main + "}\n");
   folder.output("rustc --edition 2021 -D warnings -A unused-assignments -o all all.rs");
-  compare(folder.output("./all"), true, of_binary32);
+  compare_steps(folder.output("./all"), true, of_binary32);
   folder.output("rustc --edition 2021 -A unused-assignments --test -o all-test all.rs && ./all-test");
 }
 
@@ -150,8 +150,8 @@ TEST_CASE("integrators as classes of C#") {
   if (!installed("mcs") || !installed("mono")) return;
   const CodeFolder folder;
   std::string text = "using System;\n", main = "static class Program { static void Main() { float x, v;\n";
-  for (const Sample& s : samples()) {
-    text += without(code_of(s, Language::csharp), "using System;\n");
+  for (const SubsteppedProgram& s : written_programs()) {
+    text += without(class_code(s, Language::csharp), "using System;\n");
     main += "{ var b = new " + name_of(s) +
             "((p, q, t) => t - 2.0f * p - 0.25f * q, 0.5f, -0.75f, 0.1f); for (int k = 0; k < " +
             std::to_string(kSteps) +
@@ -161,34 +161,34 @@ TEST_CASE("integrators as classes of C#") {
   }
   folder.write("all.cs", text + main + "} }\n");
   folder.output("mcs -out:all.exe all.cs");
-  compare(folder.output("mono all.exe"), true, of_binary32);
+  compare_steps(folder.output("mono all.exe"), true, of_binary32);
 }
 
 TEST_CASE("integrators as classes of Python") {
   if (!installed("python3")) return;
   const CodeFolder folder;
   std::string text;
-  for (const Sample& s : samples())
-    text += code_of(s, Language::python) + "b = " + name_of(s) +
+  for (const SubsteppedProgram& s : written_programs())
+    text += class_code(s, Language::python) + "b = " + name_of(s) +
             "(lambda x, v, t: t - 2.0 * x - 0.25 * v, 0.5, -0.75, 0.1)\nfor _ in range(" +
             std::to_string(kSteps) +
             "):\n    b.step()\n    print(*map(repr, b.read_out()))\nprint(int(self_check()))\n";
   folder.write("all.py", text);
-  compare(folder.output("python3 all.py"), false, of_decimal);
+  compare_steps(folder.output("python3 all.py"), false, of_decimal);
 }
 
 TEST_CASE("integrators as classes of JavaScript") {
   if (!installed("node")) return;
   const CodeFolder folder;
   std::string text = "\"use strict\";\n";
-  for (const Sample& s : samples())
-    text += "{\n" + code_of(s, Language::javascript) + "const b = new " + name_of(s) +
+  for (const SubsteppedProgram& s : written_programs())
+    text += "{\n" + class_code(s, Language::javascript) + "const b = new " + name_of(s) +
             "((x, v, t) => t - 2 * x - 0.25 * v, 0.5, -0.75, 0.1);\nfor (let k = 0; k < " +
             std::to_string(kSteps) +
             "; ++k) { b.step(); console.log(...b.readOut()); }\nconsole.log(Number(" + name_of(s) +
             ".selfCheck()));\n}\n";
   folder.write("all.js", text);
-  compare(folder.output("node all.js"), false, of_decimal);
+  compare_steps(folder.output("node all.js"), false, of_decimal);
 }
 
 /// The last eight bytes that Godot makes of a number; it says 32 bits where these are enough.
@@ -210,16 +210,16 @@ TEST_CASE("integrators as classes of GDScript") {
       "extends SceneTree\n\nfunc bits(value: float) -> String:\n\treturn "
       "var2bytes(value).hex_encode()\n\nfunc _init():\n"
       "\tfor k in range(" +
-      std::to_string(samples().size()) +
+      std::to_string(written_programs().size()) +
       "):\n"
       "\t\tvar b = load(\"res://own%d.gd\" % k).new()\n\t\tb.begin(0.5, -0.75, 0.1)\n"
       "\t\tfor _k in range(" +
       std::to_string(kSteps) +
       "):\n\t\t\tb.step()\n\t\t\tvar shown = b.read_out()\n"
       "\t\t\tprint(bits(shown[0]), \" \", bits(shown[1]))\n\t\tprint(1 if b.self_check() else 0)\n\tquit()\n";
-  for (std::size_t k = 0; k < samples().size(); ++k) {
+  for (std::size_t k = 0; k < written_programs().size(); ++k) {
     const std::string number = std::to_string(k);
-    folder.write("c" + number + ".gd", code_of(samples()[k], Language::gdscript));
+    folder.write("c" + number + ".gd", class_code(written_programs()[k], Language::gdscript));
     folder.write("own" + number + ".gd",
                  "extends \"res://c" + number +
                      ".gd\"\n\nfunc acceleration(x: float, v: float, t: float) -> float:\n"
@@ -232,7 +232,7 @@ TEST_CASE("integrators as classes of GDScript") {
   for (std::size_t end = 0; !text.empty() && !text.starts_with("0300"); text.erase(0, end))
     end = text.find('\n') + 1;
   // Godot 3 reads long decimals to the last bit but one or two, and its max and min are in binary32.
-  compare(text, false, of_godot, 1e-6);
+  compare_steps(text, false, of_godot, 1e-6);
 }
 
 TEST_CASE("a class says what it gets wrong, and an implicit stage is refused with the reason") {

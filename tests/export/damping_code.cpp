@@ -16,20 +16,20 @@
 namespace shortfall {
 namespace {
 
-struct Case {
+struct DampedStep {
   double x, v, a, c, dt;
 };
 
 /// c dt from 0 over the last bits of binary64 and both sides of the series' end up to what leaves nothing.
-const std::vector<Case>& cases() {
-  static const std::vector<Case> all = [] {
-    std::vector<Case> list;
+const std::vector<DampedStep>& damped_steps() {
+  static const std::vector<DampedStep> all = [] {
+    std::vector<DampedStep> list;
     for (const double u :
          {0.0, 1e-300, 1e-17, 1e-12, 3e-8, 1e-4, 0.01, 0.3, 0.4999999, 0.5, 0.51, 1.0, 7.0, 40.0, 1e6})
       for (const double dt : {0.02, 1.0, 1e-3})
         // One term at a time as well: a sum may hide a small one.
         for (const auto& [x, v, a, none, unit] :
-             {Case{0, 1, 0, 0, 0}, Case{0, 0, 1, 0, 0}, Case{0.25, 3.5, 9.81, 0, 0}})
+             {DampedStep{0, 1, 0, 0, 0}, DampedStep{0, 0, 1, 0, 0}, DampedStep{0.25, 3.5, 9.81, 0, 0}})
           list.push_back({x, v, a, none + u / dt, unit + dt});
     return list;
   }();
@@ -42,14 +42,14 @@ std::string digits(double d) {
   return text;
 }
 
-std::string arguments(const Case& c, bool with_place) {
+std::string arguments(const DampedStep& c, bool with_place) {
   const std::string rest = digits(c.a) + ", " + digits(c.c) + ", " + digits(c.dt);
   return with_place ? digits(c.x) + ", " + digits(c.v) + ", " + rest : rest;
 }
 
 /// The true motion: sums of powers of -u where u is small, so that nothing cancels, and exponentials
 /// elsewhere.
-std::pair<double, double> truth(const Case& s) {
+std::pair<double, double> truth(const DampedStep& s) {
   constexpr int kBits = 200;
   const auto ball = [](double d) { return Ball(Rational::from_double(d), kBits); };
   const Ball c = ball(s.c), dt = ball(s.dt), one(1, kBits), u = c * dt;
@@ -72,9 +72,9 @@ std::pair<double, double> truth(const Case& s) {
   return {x.midpoint().to_double(), v.midpoint().to_double()};
 }
 
-void compare(const std::string& output) {
+void compare_motions(const std::string& output) {
   std::istringstream in(output);
-  for (const Case& c : cases()) {
+  for (const DampedStep& c : damped_steps()) {
     CAPTURE(arguments(c, true));
     double x = 0, v = 0;
     REQUIRE(bool(in >> x >> v));
@@ -91,12 +91,12 @@ TEST_CASE("exact damping in C++ compiles without a warning and keeps its digits 
   if (!installed("g++")) return;
   const CodeFolder folder;
   std::string text = "#include <cstdio>\n" + damping_code(Language::cpp) + "int main() {\n  double x, v;\n";
-  for (const Case& c : cases())
+  for (const DampedStep& c : damped_steps())
     text += "  x = " + digits(c.x) + "; v = " + digits(c.v) + "; damped_move(x, v, " + arguments(c, false) +
             "); std::printf(\"%.17g %.17g\\n\", x, v);\n";
   folder.write("damped.cpp", text + "}\n");
   folder.output("g++ -std=c++17 -Wall -Wextra -Wpedantic -Werror -ffp-contract=off -o damped damped.cpp");
-  compare(folder.output("./damped"));
+  compare_motions(folder.output("./damped"));
 }
 
 TEST_CASE("exact damping in Rust") {
@@ -104,31 +104,33 @@ TEST_CASE("exact damping in Rust") {
   const CodeFolder folder;
   // A literal like 1 is a whole number in Rust; a cast makes a float of either.
   std::string text = damping_code(Language::rust) + "fn main() {\n";
-  for (const Case& c : cases())
+  for (const DampedStep& c : damped_steps())
     text += "    { let (x, v) = damped_move(" + digits(c.x) + " as f64, " + digits(c.v) + " as f64, " +
             digits(c.a) + " as f64, " + digits(c.c) + " as f64, " + digits(c.dt) +
             " as f64); println!(\"{:e} {:e}\", x, v); }\n";
   folder.write("damped.rs", text + "}\n");
   folder.output("rustc --edition 2021 -D warnings -o damped damped.rs");
-  compare(folder.output("./damped"));
+  compare_motions(folder.output("./damped"));
 }
 
 TEST_CASE("exact damping in Python") {
   if (!installed("python3")) return;
   const CodeFolder folder;
   std::string text = damping_code(Language::python);
-  for (const Case& c : cases()) text += "print(*map(repr, damped_move(" + arguments(c, true) + ")))\n";
+  for (const DampedStep& c : damped_steps())
+    text += "print(*map(repr, damped_move(" + arguments(c, true) + ")))\n";
   folder.write("damped.py", text);
-  compare(folder.output("python3 damped.py"));
+  compare_motions(folder.output("python3 damped.py"));
 }
 
 TEST_CASE("exact damping in JavaScript") {
   if (!installed("node")) return;
   const CodeFolder folder;
   std::string text = "\"use strict\";\n" + damping_code(Language::javascript);
-  for (const Case& c : cases()) text += "console.log(...dampedMove(" + arguments(c, true) + "));\n";
+  for (const DampedStep& c : damped_steps())
+    text += "console.log(...dampedMove(" + arguments(c, true) + "));\n";
   folder.write("damped.js", text);
-  compare(folder.output("node damped.js"));
+  compare_motions(folder.output("node damped.js"));
 }
 
 TEST_CASE("exact damping in C#") {
@@ -136,12 +138,12 @@ TEST_CASE("exact damping in C#") {
   const CodeFolder folder;
   std::string text =
       "static class Program {\n" + damping_code(Language::csharp) + "static void Main() { double x, v;\n";
-  for (const Case& c : cases())
+  for (const DampedStep& c : damped_steps())
     text += "x = " + digits(c.x) + "; v = " + digits(c.v) + "; DampedMove(ref x, ref v, " +
             arguments(c, false) + "); System.Console.WriteLine(\"{0:R} {1:R}\", x, v);\n";
   folder.write("damped.cs", text + "} }\n");
   folder.output("mcs -out:damped.exe damped.cs");
-  compare(folder.output("mono damped.exe"));
+  compare_motions(folder.output("mono damped.exe"));
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ std::string code_of(const KitCase& c, Language language) {
   return kit_code(correction_kit(d), d, language);
 }
 
-std::string times(std::size_t count, const std::string& yes) {
+std::string repeated_line(std::size_t count, const std::string& yes) {
   std::string text;
   for (std::size_t k = 0; k < count; ++k) text += yes + "\n";
   return text;
@@ -45,7 +45,7 @@ TEST_CASE("kits in C++ compile without a warning and pass their own check") {
   }
   folder.write("kit.cpp", text + main + "}\n");
   folder.output("g++ -std=c++17 -Wall -Wextra -Wpedantic -Wno-unused-parameter -Werror -o kit kit.cpp");
-  CHECK(folder.output("./kit") == times(kCases.size(), "yes"));
+  CHECK(folder.output("./kit") == repeated_line(kCases.size(), "yes"));
 }
 
 TEST_CASE("kits in Rust compile and pass their own check, and their own tests") {
@@ -59,7 +59,7 @@ TEST_CASE("kits in Rust compile and pass their own check, and their own tests") 
   }
   folder.write("kit.rs", text + main + "}\n");
   folder.output("rustc --edition 2021 -A unused-variables -D warnings -o kit kit.rs");
-  CHECK(folder.output("./kit") == times(kCases.size(), "yes"));
+  CHECK(folder.output("./kit") == repeated_line(kCases.size(), "yes"));
   folder.output("rustc --edition 2021 --test -o kit-test kit.rs && ./kit-test");
 }
 
@@ -76,7 +76,7 @@ TEST_CASE("kits in C# compile and pass their own check") {
   }
   folder.write("kit.cs", text + main + "} }\n");
   folder.output("mcs -out:kit.exe kit.cs");
-  CHECK(folder.output("mono kit.exe") == times(kCases.size(), "yes"));
+  CHECK(folder.output("mono kit.exe") == repeated_line(kCases.size(), "yes"));
 }
 
 TEST_CASE("kits in JavaScript pass their own check") {
@@ -86,7 +86,7 @@ TEST_CASE("kits in JavaScript pass their own check") {
   for (const KitCase& c : kCases)
     main += "{\n" + code_of(c, Language::javascript) + "console.log(selfCheck() ? \"yes\" : \"no\");\n}\n";
   folder.write("kit.js", "\"use strict\";\n" + main);
-  CHECK(folder.output("node kit.js") == times(kCases.size(), "yes"));
+  CHECK(folder.output("node kit.js") == repeated_line(kCases.size(), "yes"));
 }
 
 TEST_CASE("kits in GDScript pass their own check") {

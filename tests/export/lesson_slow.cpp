@@ -14,8 +14,8 @@
 namespace shortfall {
 namespace {
 
-PythonRun script(const std::string& python, const std::string& name, const std::string& arguments) {
-  return run("'" + python + "' '" SHORTFALL_SOURCE_DIR "/tests/export/" + name + "' " + arguments);
+ShellRun script(const std::string& python, const std::string& name, const std::string& arguments) {
+  return shell_run("'" + python + "' '" SHORTFALL_SOURCE_DIR "/tests/export/" + name + "' " + arguments);
 }
 
 /// Writes a file; its name as a shell takes it.
@@ -63,10 +63,10 @@ TEST_CASE("every lesson runs, and its assertions hold, in Jupyter as well") {
   std::string files;
   for (const Lesson& lesson : lessons())
     files += " " + written(folder, lesson.name + ".ipynb", notebook(lesson, LessonFor::teacher));
-  const PythonRun plain = script(interpreter, "run_notebook.py", files);
+  const ShellRun plain = script(interpreter, "run_notebook.py", files);
   INFO(plain.output);
   CHECK(plain.code == 0);
-  const PythonRun jupyter = script(interpreter, "run_notebook.py", "--jupyter" + files);
+  const ShellRun jupyter = script(interpreter, "run_notebook.py", "--jupyter" + files);
   INFO(jupyter.output);
   if (jupyter.code == 77)
     MESSAGE("nbformat, nbconvert and ipykernel are not installed: lessons were not run in Jupyter");
@@ -84,7 +84,7 @@ TEST_CASE("the pupil's copy holds no answer, and its checks fail until there is 
   for (const Lesson& lesson : lessons()) {
     const std::string teacher = written(folder, "teacher.ipynb", notebook(lesson, LessonFor::teacher));
     const std::string pupil = written(folder, "pupil.ipynb", notebook(lesson, LessonFor::pupil));
-    const PythonRun outcome = script(interpreter, "lesson_exercises.py", teacher + " " + pupil);
+    const ShellRun outcome = script(interpreter, "lesson_exercises.py", teacher + " " + pupil);
     INFO(lesson.name, "\n", outcome.output);
     CHECK(outcome.code == 0);
   }
@@ -100,8 +100,8 @@ TEST_CASE("a lesson runs without matplotlib, too") {
   folder.write("matplotlib.py", "raise ImportError('hidden by a test')\n");
   const std::string file =
       written(folder, "falling-short.ipynb", notebook(find_lesson("falling-short"), LessonFor::teacher));
-  const PythonRun outcome = run("PYTHONPATH='" + folder.path().string() + "' '" + interpreter +
-                                "' '" SHORTFALL_SOURCE_DIR "/tests/export/run_notebook.py' " + file);
+  const ShellRun outcome = shell_run("PYTHONPATH='" + folder.path().string() + "' '" + interpreter +
+                                     "' '" SHORTFALL_SOURCE_DIR "/tests/export/run_notebook.py' " + file);
   INFO(outcome.output);
   CHECK(outcome.code == 0);
 }
@@ -130,7 +130,7 @@ TEST_CASE("a lesson fails when one of its numbers or formulas is wrong") {
     REQUIRE(at != std::string::npos);
     files += " " + written(folder, std::to_string(i) + ".ipynb", text.replace(at, from.size(), to));
   }
-  const PythonRun outcome = script(interpreter, "run_notebook.py", files);
+  const ShellRun outcome = script(interpreter, "run_notebook.py", files);
   INFO(outcome.output);
   CHECK(outcome.code == 1);
   CHECK(outcome.output.find("0 notebooks passed, " + std::to_string(mistakes.size()) + " failed") !=
@@ -240,34 +240,35 @@ TEST_CASE("a mistake in a lesson file is named with its line") {
 TEST_CASE("shortfall export writes a lesson into a folder, and no answer over an older one") {
   const Scratch folder;
   const std::string out = folder.quoted("new/lesson");
-  CHECK(run(shortfall("export lesson:falling-short --exercise -o " + out)).code == 0);
+  CHECK(shell_run(shortfall("export lesson:falling-short --exercise -o " + out)).code == 0);
   const fs::path file = folder.path() / "new/lesson/falling-short.ipynb";
   const std::string pupil = notebook(find_lesson("falling-short"), LessonFor::pupil);
   CHECK(read(file) == pupil);
   CHECK(read(folder.path() / "new/lesson/falling-short.md").find("pupil's copy") != std::string::npos);
 
-  const PythonRun refused = run(shortfall("export lesson:falling-short -o " + out));
+  const ShellRun refused = shell_run(shortfall("export lesson:falling-short -o " + out));
   CHECK(refused.code == 2);
   CHECK(refused.output.find("is there already") != std::string::npos);
   CHECK(read(file) == pupil);
-  CHECK(run(shortfall("export lesson:falling-short --overwrite -o " + out)).code == 0);
+  CHECK(shell_run(shortfall("export lesson:falling-short --overwrite -o " + out)).code == 0);
   CHECK(read(file) == notebook(find_lesson("falling-short"), LessonFor::teacher));
 
-  CHECK(run(shortfall("export lesson:falling-short --exercise")).output == pupil);
-  CHECK(run(shortfall("export lesson:floats -o /proc/no/such")).code == 5);
+  CHECK(shell_run(shortfall("export lesson:falling-short --exercise")).output == pupil);
+  CHECK(shell_run(shortfall("export lesson:floats -o /proc/no/such")).code == 5);
 }
 
 TEST_CASE("an unknown lesson is a mistake of the user, with a suggestion") {
-  const PythonRun outcome = run(shortfall("export lesson:faling-short"));
+  const ShellRun outcome = shell_run(shortfall("export lesson:faling-short"));
   CHECK(outcome.code == 2);
   CHECK(outcome.output.find("did you mean 'falling-short'?") != std::string::npos);
-  CHECK(run(shortfall("export lesson:")).code == 2);
-  CHECK(run(shortfall("export symplectic-euler --exercise --notebook")).code == 2);
+  CHECK(shell_run(shortfall("export lesson:")).code == 2);
+  CHECK(shell_run(shortfall("export symplectic-euler --exercise --notebook")).code == 2);
 }
 
 TEST_CASE("the list of lessons tells how long they take, as text and as JSON") {
-  CHECK(run(shortfall("export --lessons")).output.find("falling-short      35 min") != std::string::npos);
-  const auto json = nlohmann::json::parse(run(shortfall("export --lessons --json")).output);
+  CHECK(shell_run(shortfall("export --lessons")).output.find("falling-short      35 min") !=
+        std::string::npos);
+  const auto json = nlohmann::json::parse(shell_run(shortfall("export --lessons --json")).output);
   CHECK(json["schema"] == "shortfall.lessons/1");
   CHECK(json["lessons"].size() == 6);
 }

@@ -23,15 +23,15 @@ namespace shortfall {
 namespace {
 
 /// A kit in letters, and numbers for these.
-struct Case {
+struct LetteredKit {
   std::string integrator, force;
   Values letters;                             ///< of the integrator, which the class is made from
   std::vector<std::array<Rational, 3>> at{};  ///< k, c, dt; a letter that the force lacks is 0
 };
 
-const std::vector<Case>& cases() {
+const std::vector<LetteredKit>& lettered_kits() {
   const Rational tenth(1, 10), frame(1, 60);
-  static const std::vector<Case> all{
+  static const std::vector<LetteredKit> all{
       // Underdamped, critically damped, overdamped, near it, and physics that runs away.
       {"symplectic-euler",
        "damped-spring",
@@ -52,18 +52,18 @@ const std::vector<Case>& cases() {
   return all;
 }
 
-std::string digits(const Rational& r) {
+std::string decimal_literal(const Rational& r) {
   char text[40];
   std::snprintf(text, sizeof text, "%.17g", r.to_double());
   return std::string(text) + (std::string(text).find_first_of(".e") == std::string::npos ? ".0" : "");
 }
 
-LinearKit kit_of(const Case& c, const std::string& force, const Values& values) {
+LinearKit kit_of(const LetteredKit& c, const std::string& force, const Values& values) {
   return linear_kit(find_integrator(c.integrator), force_named(force), values);
 }
 
 /// Every number of a kit: what is given, and functions of one vector at a time.
-struct Asked {
+struct KitMember {
   std::string member;          ///< "given_k", "launch_v0"
   std::vector<int> arguments;  ///< of a function: its unit vectors
   bool function;
@@ -71,7 +71,7 @@ struct Asked {
 };
 
 /// The class' functions with each of their arguments 1 and the others 0, by the kit for numbers alone.
-std::vector<Asked> asked(const Case& c, const std::array<Rational, 3>& at) {
+std::vector<KitMember> kit_members(const LetteredKit& c, const std::array<Rational, 3>& at) {
   std::string force = c.force;
   const std::size_t colon = force.find(":k=");
   if (colon != std::string::npos) force.erase(colon);
@@ -85,7 +85,7 @@ std::vector<Asked> asked(const Case& c, const std::array<Rational, 3>& at) {
   const KitNumbers found =
       kit_numbers(kit, numbers, parameter_values(find_integrator(c.integrator), c.letters), at[2]);
   REQUIRE(letters.corrections.size() == kit.corrections.size());
-  std::vector<Asked> result;
+  std::vector<KitMember> result;
   for (std::size_t i = 0; i < kit.corrections.size(); ++i) {
     using Kind = LinearCorrection::Kind;
     const LinearCorrection& said = letters.corrections[i];
@@ -115,14 +115,14 @@ std::vector<Asked> asked(const Case& c, const std::array<Rational, 3>& at) {
   return result;
 }
 
-std::string class_name(const Case& c) {
+std::string class_name(const LetteredKit& c) {
   return c.force.find("damped") != std::string::npos ? "ExactDampedSpring"
          : c.force == "drag"                         ? "ExactDrag"
                                                      : "ExactSpring";
 }
 
 /// What the class is made from, in its order: k, c, the integrator's letters, dt.
-std::vector<Rational> made_from(const Case& c, const std::array<Rational, 3>& at) {
+std::vector<Rational> made_from(const LetteredKit& c, const std::array<Rational, 3>& at) {
   std::vector<Rational> values;
   if (c.force.find("spring") != std::string::npos && c.force.find(":k=") == std::string::npos)
     values.push_back(at[0]);
@@ -138,7 +138,7 @@ std::string listed(const std::vector<std::string>& items) {
   return text;
 }
 
-std::string call(const Asked& a, Language language) {
+std::string call(const KitMember& a, Language language) {
   std::string name =
       "kit." + (language == Language::csharp && a.function ? constant_identifier(a.member, language)
                                                            : identifier(a.member, language));
@@ -149,7 +149,7 @@ std::string call(const Asked& a, Language language) {
 }
 
 /// Prints what is asked, one number a line.
-std::string program(const Case& c, Language language) {
+std::string program(const LetteredKit& c, Language language) {
   const Program integrator = find_integrator(c.integrator);
   std::string text =
       linear_kit_code(kit_of(c, c.force, {}), linear_derivation(integrator, force_named(c.force)), language);
@@ -173,18 +173,18 @@ std::string program(const Case& c, Language language) {
   text += begin;
   for (const auto& at : c.at) {
     std::vector<std::string> arguments;
-    for (const Rational& r : made_from(c, at)) arguments.push_back(digits(r));
+    for (const Rational& r : made_from(c, at)) arguments.push_back(decimal_literal(r));
     text += put(put(make, "CLASS", class_name(c)), "ARGS", listed(arguments));
-    for (const Asked& a : asked(c, at)) text += put(print, "CALL", call(a, language));
+    for (const KitMember& a : kit_members(c, at)) text += put(print, "CALL", call(a, language));
     text += end;
   }
   return text + finish;
 }
 
-void compare(const Case& c, const std::string& output) {
+void compare_members(const LetteredKit& c, const std::string& output) {
   std::istringstream in(output);
   for (const auto& at : c.at)
-    for (const Asked& a : asked(c, at)) {
+    for (const KitMember& a : kit_members(c, at)) {
       CAPTURE(c.integrator);
       CAPTURE(a.member);
       std::string word;
@@ -199,11 +199,11 @@ void compare(const Case& c, const std::string& output) {
 
 /// param   run  with FILE for the file's name
 void run_all(Language language, const std::string& file, const std::string& run) {
-  for (const Case& c : cases()) {
+  for (const LetteredKit& c : lettered_kits()) {
     CAPTURE(c.integrator);
     const CodeFolder folder;
     folder.write(file, program(c, language));
-    compare(c, folder.output(run));
+    compare_members(c, folder.output(run));
   }
 }
 
@@ -232,7 +232,7 @@ TEST_CASE("kits of springs, dampers and drag in C#") {
 }
 
 TEST_CASE("in languages that are not run here blocks are closed and every member is declared") {
-  for (const Case& c : cases())
+  for (const LetteredKit& c : lettered_kits())
     for (const Language language : {Language::csharp, Language::gdscript}) {
       const std::string text =
           linear_kit_code(kit_of(c, c.force, {}),

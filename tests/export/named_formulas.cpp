@@ -4,19 +4,16 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <map>
-
 #include "analysis/motion/formula_text.hpp"
 #include "analysis/problems/letters.hpp"
 #include "analysis/program/arithmetic.hpp"
+#include "analysis/program/tape.hpp"
 
 using namespace shortfall;
 
 namespace {
 
-using Numbers = std::map<std::string, Rational>;
-
-Rational value(const Expr& e, const Numbers& names) {
+Rational value(const Expr& e, const Values& names) {
   return arithmetic<Rational>(e, [&](const Expr& leaf) -> Rational {
     if (leaf->op == Expression::Op::number) return leaf->value;
     if (leaf->op == Expression::Op::name) return names.at(leaf->name);
@@ -54,8 +51,8 @@ TEST_CASE("names put back give the formula's value, and what is left between the
                    formula(a / Fraction(2), kWords) * name("n");
     NamedFormulas names(Style::language, false, kWords.letters);
     const Expr shorter = names.shortened(e);
-    Numbers at{{"h", Rational(3, 7)},  {"k", Rational(-5, 3)},  {"c", Rational(11, 2)},
-               {"x0", Rational(2, 9)}, {"v0", Rational(-7, 4)}, {"n", 13}};
+    Values at{{"h", Rational(3, 7)},  {"k", Rational(-5, 3)},  {"c", Rational(11, 2)},
+              {"x0", Rational(2, 9)}, {"v0", Rational(-7, 4)}, {"n", 13}};
     Rational expected;
     try {
       expected = value(e, at);

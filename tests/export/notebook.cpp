@@ -17,8 +17,8 @@ namespace shortfall {
 namespace {
 
 /// Runs notebooks as tests/export/run_notebook.py says.
-PythonRun run_notebooks(const std::string& python, const std::string& files) {
-  return run("'" + python + "' '" SHORTFALL_SOURCE_DIR "/tests/export/run_notebook.py' " + files);
+ShellRun run_notebooks(const std::string& python, const std::string& files) {
+  return shell_run("'" + python + "' '" SHORTFALL_SOURCE_DIR "/tests/export/run_notebook.py' " + files);
 }
 
 std::string exported(const Program& program, int degree, const Values& given = {}, int substeps = 1) {
@@ -31,7 +31,7 @@ std::string exported(const std::string& name, int degree, const Values& given = 
   return exported(find_integrator(name), degree, given, substeps);
 }
 
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
+std::string altered(std::string text, const std::string& from, const std::string& to) {
   const std::size_t at = text.find(from);
   REQUIRE(at != std::string::npos);
   return text.replace(at, from.size(), to);
@@ -94,7 +94,7 @@ TEST_CASE("every notebook's cells run and their assertions hold") {
   add("substeps-multistep", exported("beeman", 2, {}, 3));
   add("awkward", exported(parse(kAwkward, "awkward.integrator"), 1));
   if (interpreter.empty()) return;
-  const PythonRun outcome = run_notebooks(interpreter, "'" + folder.path().string() + "'/*.ipynb");
+  const ShellRun outcome = run_notebooks(interpreter, "'" + folder.path().string() + "'/*.ipynb");
   INFO(outcome.output);
   CHECK(outcome.code == 0);
 }
@@ -125,9 +125,9 @@ TEST_CASE("a notebook fails when one coefficient of its formulas is wrong") {
   std::string files;
   for (const auto& [from, to] : mistakes)
     files += " '" +
-             folder.write("wrong" + std::to_string(number++) + ".ipynb", replaced(right, from, to)).string() +
+             folder.write("wrong" + std::to_string(number++) + ".ipynb", altered(right, from, to)).string() +
              "'";
-  const PythonRun outcome = run_notebooks(interpreter, files);
+  const ShellRun outcome = run_notebooks(interpreter, files);
   INFO(outcome.output);
   CHECK(outcome.code == 1);
   CHECK(outcome.output.find("\n0 notebooks passed, " + std::to_string(mistakes.size()) + " failed") !=
@@ -142,7 +142,7 @@ TEST_CASE("a notebook is also one for Jupyter") {
   }
   const Scratch folder;
   const fs::path file = folder.write("falling-short.ipynb", exported("symplectic-euler", 0));
-  const PythonRun outcome = run_notebooks(interpreter, "--jupyter '" + file.string() + "'");
+  const ShellRun outcome = run_notebooks(interpreter, "--jupyter '" + file.string() + "'");
   INFO(outcome.output);
   if (outcome.code == 77)
     MESSAGE("nbformat, nbconvert and ipykernel are not installed: not run in Jupyter");
@@ -190,7 +190,7 @@ TEST_CASE("shortfall export writes the notebook, and replaces an older one") {
   const std::string file = (folder.path() / "falling-short.ipynb").string();
   folder.write("falling-short.ipynb", "an older one");
   const std::string command = "'" SHORTFALL_BINARY "' export symplectic-euler --force constant";
-  const PythonRun outcome = run(command + " --notebook -o '" + file + "'");
+  const ShellRun outcome = shell_run(command + " --notebook -o '" + file + "'");
   CHECK(outcome.code == 0);
   const bool draws = gnuplot_is_here();
   CHECK(outcome.output.empty());
@@ -206,12 +206,12 @@ TEST_CASE("shortfall export writes the notebook, and replaces an older one") {
     }
   CHECK(pictures == draws);
   CHECK(json.dump(1) + "\n" == exported("symplectic-euler", 0));
-  CHECK(run("{ " + command + " --notebook 2>/dev/null; }").output == written.str());
-  CHECK(run(command).code == 2);
-  CHECK(run(command + " --notebook --latex").code == 2);
-  CHECK(run(command + " --notebook -o /nowhere/at/all.ipynb").code == 5);
-  CHECK(run(command + " --latex").output.find("\\[ x(t) - x_{n}") != std::string::npos);
-  CHECK(run("'" SHORTFALL_BINARY "' export symplectic-euler --force poly:31 --notebook").code == 4);
+  CHECK(shell_run("{ " + command + " --notebook 2>/dev/null; }").output == written.str());
+  CHECK(shell_run(command).code == 2);
+  CHECK(shell_run(command + " --notebook --latex").code == 2);
+  CHECK(shell_run(command + " --notebook -o /nowhere/at/all.ipynb").code == 5);
+  CHECK(shell_run(command + " --latex").output.find("\\[ x(t) - x_{n}") != std::string::npos);
+  CHECK(shell_run("'" SHORTFALL_BINARY "' export symplectic-euler --force poly:31 --notebook").code == 4);
 }
 
 }  // namespace

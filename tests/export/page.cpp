@@ -19,14 +19,11 @@
 #include "analysis/program/transform.hpp"
 #include "notebooks-export/page_document.hpp"
 #include "tests/cli/command.hpp"
+#include "tests/export/languages.hpp"
 
 using namespace shortfall;
 
 namespace {
-
-bool found(const std::string& program) {
-  return std::system(("command -v " + program + " >/dev/null 2>&1").c_str()) == 0;
-}
 
 std::string page_of(const Program& program, int degree) {
   const Derivation d = derivation(program, degree);
@@ -74,10 +71,7 @@ TEST_CASE("an exact integrator's page says so, and offers nothing to correct") {
 }
 
 TEST_CASE("the figure to explore computes what the integrator does, for the whole catalogue") {
-  if (!found("node")) {
-    MESSAGE("skipped: node is not installed");
-    return;
-  }
+  if (!installed("node")) return;
   const Folder folder;
   std::string script = "\"use strict\";\n";
   std::vector<std::string> what;
@@ -135,8 +129,9 @@ TEST_CASE("the figure to explore computes what the integrator does, for the whol
 
 TEST_CASE(
     "a browser shows the page: formulas set, figure drawn, tabs and colours switch, nothing complains") {
-  if (!found("chromium") || katex_folder().empty()) {
-    MESSAGE("skipped: chromium or KaTeX is not installed");
+  if (!installed("chromium")) return;
+  if (katex_folder().empty()) {
+    MESSAGE("skipped: KaTeX is not installed");
     return;
   }
   const Folder folder;

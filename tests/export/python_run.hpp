@@ -43,13 +43,13 @@ class Scratch {
   fs::path path_;
 };
 
-struct PythonRun {
+struct ShellRun {
   int code = -1;
   std::string output;
 };
 
-inline PythonRun run(const std::string& command) {
-  PythonRun outcome;
+inline ShellRun shell_run(const std::string& command) {
+  ShellRun outcome;
   std::FILE* pipe = popen((command + " 2>&1").c_str(), "r");
   REQUIRE(pipe != nullptr);
   std::array<char, 4096> block;
@@ -67,7 +67,7 @@ inline std::string python() {
   if (const char* venv = std::getenv("VIRTUAL_ENV"))
     candidates.insert(candidates.begin(), std::string(venv) + "/bin/python3");
   for (const std::string& candidate : candidates)
-    if (run("'" + candidate + "' -c 'import fractions'").code == 0) return candidate;
+    if (shell_run("'" + candidate + "' -c 'import fractions'").code == 0) return candidate;
   return "";
 }
 

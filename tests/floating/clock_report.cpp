@@ -12,9 +12,9 @@ using namespace shortfall;
 
 namespace {
 
-using Kind = ClockAlternative::Kind;
+using Alternative = ClockAlternative::Kind;
 
-ClockQuestion question(const char* format, const Rational& dt, const Rational& additions) {
+ClockQuestion clock_question(const char* format, const Rational& dt, const Rational& additions) {
   ClockQuestion q;
   static_cast<ClockArithmetic&>(q) = clock_arithmetic(format);
   q.dt = dt;
@@ -22,7 +22,7 @@ ClockQuestion question(const char* format, const Rational& dt, const Rational& a
   return q;
 }
 
-const ClockAlternative& found(const ClockReport& r, Kind kind) {
+const ClockAlternative& found(const ClockReport& r, Alternative kind) {
   const auto a = std::ranges::find(r.instead, kind, &ClockAlternative::kind);
   REQUIRE(a != r.instead.end());
   return *a;
@@ -36,8 +36,8 @@ TEST_CASE("representation and rounding are told apart and add up, for clocks and
   const char* const roundings[] = {"nearest-even", "nearest-away", "toward-zero", "up", "down"};
   for (int repeat = 0; repeat < 150; ++repeat) {
     const int n = static_cast<int>(generator() % 300);
-    ClockQuestion q =
-        question(formats[generator() % 7], Rational(1 + static_cast<std::int64_t>(generator() % 99), 300), n);
+    ClockQuestion q = clock_question(formats[generator() % 7],
+                                     Rational(1 + static_cast<std::int64_t>(generator() % 99), 300), n);
     q.rounding = rounding_named(roundings[generator() % 5]);
     if (generator() % 2) q.velocity = Rational(static_cast<std::int64_t>(generator() % 200) - 100, 7);
     if (generator() % 2) q.start = Rational(static_cast<std::int64_t>(generator() % 2000) - 1000, 3);
@@ -57,7 +57,7 @@ TEST_CASE("representation and rounding are told apart and add up, for clocks and
 }
 
 TEST_CASE("the Patriot clock is a fixed-point clock with 23 bits after the point, chopped") {
-  ClockQuestion q = question("fixed:23", Rational(1, 10), 3'600'000);
+  ClockQuestion q = clock_question("fixed:23", Rational(1, 10), 3'600'000);
   q.rounding = Rounding::toward_zero;
   const ClockReport r = clock_report(q);
   CHECK(r.shortfall == Rational(5625, 16384));
@@ -67,7 +67,7 @@ TEST_CASE("the Patriot clock is a fixed-point clock with 23 bits after the point
 }
 
 TEST_CASE("the speed of each binade is what a running float clock shows there") {
-  ClockQuestion q = question("f32", Rational(1, 60), 24'000'000);
+  ClockQuestion q = clock_question("f32", Rational(1, 60), 24'000'000);
   q.kept_dt = Rational::from_double(1.0F / 60);
   const ClockReport r = clock_report(q);
   Rational sum;
@@ -93,26 +93,27 @@ TEST_CASE("the speed of each binade is what a running float clock shows there") 
 }
 
 TEST_CASE("what is offered instead is what these programs compute") {
-  ClockQuestion q = question("f32", Rational(1, 60), 5'184'000);
+  ClockQuestion q = clock_question("f32", Rational(1, 60), 5'184'000);
   q.kept_dt = Rational::from_double(1.0F / 60);
   const ClockReport r = clock_report(q);
   const volatile float count = 5'184'000;
-  CHECK(found(r, Kind::divided).value == Rational::from_double(count / 60.0F));
-  CHECK(found(r, Kind::multiplied).value == Rational::from_double(count * (1.0F / 60)));
-  CHECK(r.by_multiplication == found(r, Kind::multiplied).value);
+  CHECK(found(r, Alternative::divided).value == Rational::from_double(count / 60.0F));
+  CHECK(found(r, Alternative::multiplied).value == Rational::from_double(count * (1.0F / 60)));
+  CHECK(r.by_multiplication == found(r, Alternative::multiplied).value);
   volatile double wide = 0;
   for (int i = 0; i < 5'184'000; ++i) wide = wide + 1.0 / 60;
-  CHECK(found(r, Kind::wider).value == Rational::from_double(wide));
-  CHECK(found(r, Kind::dyadic).step == Rational(1, 64));
-  CHECK(found(r, Kind::dyadic).exact_additions == Rational(1 << 24));
-  CHECK(found(r, Kind::compensated).shortfall == Rational(-1, 128));
+  CHECK(found(r, Alternative::wider).value == Rational::from_double(wide));
+  CHECK(found(r, Alternative::dyadic).step == Rational(1, 64));
+  CHECK(found(r, Alternative::dyadic).exact_additions == Rational(1 << 24));
+  CHECK(found(r, Alternative::compensated).shortfall == Rational(-1, 128));
   // A step that is a power of two already needs no other.
-  const ClockReport dyadic = clock_report(question("f32", Rational(1, 64), 100));
-  CHECK(std::ranges::find(dyadic.instead, Kind::dyadic, &ClockAlternative::kind) == dyadic.instead.end());
+  const ClockReport dyadic = clock_report(clock_question("f32", Rational(1, 64), 100));
+  CHECK(std::ranges::find(dyadic.instead, Alternative::dyadic, &ClockAlternative::kind) ==
+        dyadic.instead.end());
 }
 
 TEST_CASE("a motion with a fused product is that of fma") {
-  ClockQuestion q = question("f32+fma", Rational(1, 10), 200'000);
+  ClockQuestion q = clock_question("f32+fma", Rational(1, 10), 200'000);
   q.velocity = Rational(1, 3);
   const ClockReport r = clock_report(q);
   volatile float x = 0;
@@ -122,7 +123,7 @@ TEST_CASE("a motion with a fused product is that of fma") {
 }
 
 TEST_CASE("a compensated question is answered by Kahan's sum, the plain one beside it") {
-  ClockQuestion q = question("f64+kahan", Rational(1, 10), Rational(10).pow(15));
+  ClockQuestion q = clock_question("f64+kahan", Rational(1, 10), Rational(10).pow(15));
   const ClockReport r = clock_report(q);
   REQUIRE(r.kahan);
   CHECK(r.kahan->kind == CompensatedClock::Kind::closed_form);
@@ -133,11 +134,11 @@ TEST_CASE("a compensated question is answered by Kahan's sum, the plain one besi
 }
 
 TEST_CASE("questions without an answer are refused in a sentence") {
-  CHECK_THROWS_AS(clock_report(question("f32", 0, 1)), BadInput);
-  CHECK_THROWS_AS(clock_report(question("f32", 1, -1)), BadInput);
-  CHECK_THROWS_AS(clock_report(question("f32", 1, Rational(1, 2))), BadInput);
-  CHECK_THROWS_AS(clock_report(question("f16", 100'000, 1)), BadInput);
-  ClockQuestion still = question("f32", 1, 1);
+  CHECK_THROWS_AS(clock_report(clock_question("f32", 0, 1)), BadInput);
+  CHECK_THROWS_AS(clock_report(clock_question("f32", 1, -1)), BadInput);
+  CHECK_THROWS_AS(clock_report(clock_question("f32", 1, Rational(1, 2))), BadInput);
+  CHECK_THROWS_AS(clock_report(clock_question("f16", 100'000, 1)), BadInput);
+  ClockQuestion still = clock_question("f32", 1, 1);
   still.velocity = 0;
   CHECK_THROWS_AS(clock_report(still), BadInput);
   CHECK_THROWS_WITH_AS(clock_arithmetic("f23"), doctest::Contains("did you mean 'f32'"), BadInput);
@@ -146,5 +147,6 @@ TEST_CASE("questions without an answer are refused in a sentence") {
   CHECK_THROWS_AS(clock_arithmetic("fixed:1x"), BadInput);
   CHECK_THROWS_AS(clock_arithmetic("dd"), Unable);
   CHECK_THROWS_AS(clock_arithmetic("f32+origin"), Unable);
-  CHECK_THROWS_WITH_AS(rounding_named("towards-zero"), doctest::Contains("did you mean 'toward-zero'"), BadInput);
+  CHECK_THROWS_WITH_AS(rounding_named("towards-zero"), doctest::Contains("did you mean 'toward-zero'"),
+                       BadInput);
 }

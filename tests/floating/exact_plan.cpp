@@ -13,9 +13,9 @@ using namespace shortfall;
 
 namespace {
 
-class Random {
+class RandomIntegers {
  public:
-  explicit Random(unsigned seed) : engine_(seed), numbers_(gmp_randinit_mt) { numbers_.seed(seed); }
+  explicit RandomIntegers(unsigned seed) : engine_(seed), numbers_(gmp_randinit_mt) { numbers_.seed(seed); }
   int below(int limit) { return static_cast<int>(engine_() % static_cast<unsigned>(limit)); }
   mpz_class bits(int count) {
     const mpz_class size = numbers_.get_z_bits(static_cast<mp_bitcnt_t>(count));
@@ -42,7 +42,7 @@ class Random {
   gmp_randclass numbers_;
 };
 
-std::vector<std::vector<mpz_class>> matrix(Random& random, std::size_t size, bool long_ones) {
+std::vector<std::vector<mpz_class>> matrix(RandomIntegers& random, std::size_t size, bool long_ones) {
   std::vector<std::vector<mpz_class>> m(size, std::vector<mpz_class>(size));
   for (auto& row : m)
     for (mpz_class& entry : row) entry = random.entry(long_ones);
@@ -54,7 +54,7 @@ std::vector<std::vector<mpz_class>> matrix(Random& random, std::size_t size, boo
   return m;
 }
 
-std::vector<mpz_class> vector(Random& random, std::size_t size) {
+std::vector<mpz_class> vector(RandomIntegers& random, std::size_t size) {
   std::vector<mpz_class> z;
   for (std::size_t i = 0; i < size; ++i) z.push_back(random.below(9) ? random.bits(random.below(600)) : 0);
   return z;
@@ -63,7 +63,7 @@ std::vector<mpz_class> vector(Random& random, std::size_t size) {
 }  // namespace
 
 TEST_CASE("a plan of few passes is the matrix, for random matrices and long integers") {
-  Random random(1);
+  RandomIntegers random(1);
   for (int run = 0; run < 3000; ++run) {
     const std::size_t size = 1 + random.below(5);
     const auto m = matrix(random, size, true);
@@ -79,7 +79,7 @@ TEST_CASE("a plan of few passes is the matrix, for random matrices and long inte
 }
 
 TEST_CASE("two rows in one pass over the limbs are the matrix, also where leading limbs cancel") {
-  Random random(2);
+  RandomIntegers random(2);
   int runs = 0;
   for (int run = 0; run < 5000; ++run) {
     auto m = matrix(random, 2, false);
@@ -116,7 +116,7 @@ TEST_CASE("entries of 61 bits and limbs of ones do not overflow the pass") {
 }
 
 TEST_CASE("words stop before they overflow, and hold what was computed until then") {
-  Random random(3);
+  RandomIntegers random(3);
   for (int run = 0; run < 500; ++run) {
     const std::size_t size = 1 + random.below(6);
     std::vector<std::int64_t> m;

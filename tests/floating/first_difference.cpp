@@ -5,23 +5,17 @@
 
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/parse.hpp"
+#include "tests/floating/float_question.hpp"
 
 using namespace shortfall;
+
+using testing::resting_body;
 
 namespace {
 
 FirstDifference difference(const std::string& format, const FloatQuestion& q, int most = 1000) {
   const FloatFormat f = float_format(format);
   return first_difference(f, q, stored(q, f), most);
-}
-
-FloatQuestion question(Program program, const std::string& force, const Rational& h) {
-  FloatQuestion q;
-  q.program = std::move(program);
-  q.force = force_named(force);
-  q.h = h;
-  q.x0 = 1;
-  return q;
 }
 
 const char* const kEuler =
@@ -37,7 +31,7 @@ const char* const kEuler =
 TEST_CASE("the statement that rounds first, beside the same step rounded by hand") {
   // Dyadic numbers, so that nothing is rounded at first. In 11 bits v = 5/2 - n/8 stays exact for long; x, in
   // units of 1/512, does not once it is beyond 4.
-  FloatQuestion q = question(parse(kEuler, "mine.integrator"), "constant:a=-8", Rational(1, 64));
+  FloatQuestion q = resting_body(parse(kEuler, "mine.integrator"), "constant:a=-8", Rational(1, 64));
   q.v0 = Rational(5, 2);
   Rational x = 1, v = Rational(5, 2);
   int step = 0;
@@ -71,7 +65,7 @@ TEST_CASE("the statement that rounds first, beside the same step rounded by hand
 }
 
 TEST_CASE("start, substeps, stages and what is reported have their statements, too") {
-  FloatQuestion q = question(find_integrator("velocity-verlet"), "spring:k=3", Rational(1, 64));
+  FloatQuestion q = resting_body("velocity-verlet", "spring:k=3", Rational(1, 64));
   q.x0 = Rational(1, 3);
   FirstDifference d = difference("f32", q);
   CHECK(d.rounding->step == 0);
@@ -79,23 +73,23 @@ TEST_CASE("start, substeps, stages and what is reported have their statements, t
   CHECK(d.rounding->line > 0);
   CHECK(d.reported >= 1);
   // In a third of a frame the step itself is rounded; what is made with it first is named.
-  q = question(parse(kEuler, "mine.integrator"), "constant:a=-8", Rational(1, 64));
+  q = resting_body(parse(kEuler, "mine.integrator"), "constant:a=-8", Rational(1, 64));
   q.substeps = 3;
   d = difference("f32", q);
   CHECK(d.rounding->step == 1);
   CHECK(d.rounding->line == 5);
   // A tableau's statements stand where it does.
-  d = difference("f32", question(find_integrator("rk4"), "spring:k=1", Rational(1, 10)));
+  d = difference("f32", resting_body("rk4", "spring:k=1", Rational(1, 10)));
   CHECK(d.rounding->step == 1);
   CHECK(d.rounding->line > 0);
   CHECK(!d.rounding->statement.empty());
   // An unknown of a solve.
-  d = difference("f64", question(find_integrator("implicit-midpoint"), "spring:k=1", Rational(1, 10)));
+  d = difference("f64", resting_body("implicit-midpoint", "spring:k=1", Rational(1, 10)));
   CHECK(d.rounding->step == 1);
   CHECK(!d.rounding->statement.empty());
   // Irrational coefficients have no exact run.
-  CHECK_THROWS_AS(
-      difference("mpfr:20", question(parse("integrator odd\nstep\n  x = x + sqrt(2)*h*v\n", "odd.integrator"),
-                                     "spring:k=1", 1)),
-      Unable);
+  CHECK_THROWS_AS(difference("mpfr:20", resting_body(parse("integrator odd\nstep\n  x = x + sqrt(2)*h*v\n",
+                                                           "odd.integrator"),
+                                                     "spring:k=1", 1)),
+                  Unable);
 }

@@ -31,7 +31,7 @@ FloatNumber computed(const std::string& format, const std::string& operation, co
   return run->state().first;
 }
 
-struct Random {
+struct RandomOfFormat {
   std::mt19937_64 generator;
   /// A number of the format, of a size that makes exponents meet.
   Rational operator()(const BinaryFormat& f, int spread) {
@@ -58,7 +58,7 @@ void check_operation(const std::string& name, const Rational& exact, const std::
 }  // namespace
 
 TEST_CASE("sums, products and quotients are the correctly rounded ones in every format and direction") {
-  Random random{std::mt19937_64(2)};
+  RandomOfFormat random{std::mt19937_64(2)};
   for (const char* name : {"f16", "bf16", "f32", "f64", "x87", "f128", "mpfr:50", "mpfr:9", "f16+tozero",
                            "bf16+tozero", "f32+tozero", "f64+tozero", "x87+tozero", "mpfr:20+tozero"}) {
     const BinaryFormat storage = float_format(name).storage();
@@ -74,7 +74,7 @@ TEST_CASE("sums, products and quotients are the correctly rounded ones in every 
 }
 
 TEST_CASE("fused sums are rounded once, in every format that has them") {
-  Random random{std::mt19937_64(3)};
+  RandomOfFormat random{std::mt19937_64(3)};
   for (const char* name :
        {"f16+fma", "bf16+fma", "f32+fma", "f64+fma", "x87+fma", "f128+fma", "mpfr:30+fma"}) {
     const BinaryFormat storage = float_format(name).storage();

@@ -7,25 +7,14 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/floating/budget.hpp"
 #include "analysis/program/catalogue.hpp"
+#include "tests/floating/budget_term.hpp"
+#include "tests/floating/float_question.hpp"
 
 using namespace shortfall;
 
+using testing::resting_body, testing::term;
+
 namespace {
-
-const Ball& term(const BudgetLine& l, const std::string& name) {
-  for (const BudgetTerm& t : l.terms)
-    if (t.name == name) return t.value;
-  throw Error("no term " + name);
-}
-
-FloatQuestion question(const std::string& integrator, const std::string& force, const Rational& h) {
-  FloatQuestion q;
-  q.program = find_integrator(integrator);
-  q.force = force_named(force);
-  q.h = h;
-  q.x0 = 1;
-  return q;
-}
 
 /// The first and the last of 2 periods + 1 passings through 0 from above, read as budgets read them.
 template <class T, class Step>
@@ -53,7 +42,7 @@ const std::vector<std::string> kFormats{"f16", "bf16",    "f32",       "f64",   
 
 TEST_CASE("symplectic Euler lands a step early: all of it is the method's, where nothing is rounded") {
   // u = sqrt(2 g H) = 4, and x_n = u n h - g h^2 n (n + 1)/2 is 0 at n = 2 u/(g h) - 1.
-  const FloatQuestion q = question("symplectic-euler", "constant", Rational(1, 64));
+  const FloatQuestion q = resting_body("symplectic-euler", "constant", Rational(1, 64));
   const Budget b = landing_budget(float_format("f64"), q, 1, 8);
   const BudgetLine& l = b.lines.at(0);
   CHECK(l.closes());
@@ -73,7 +62,7 @@ TEST_CASE("symplectic Euler lands a step early: all of it is the method's, where
 
 TEST_CASE("between frames a parabola is read by a straight line") {
   // H = 1.7 m, g = 9.81 m/s^2, h = 1/50 s: the chord of the frames about 2 u/g, worked out in long double.
-  const FloatQuestion q = question("velocity-verlet", "constant", Rational(1, 50));
+  const FloatQuestion q = resting_body("velocity-verlet", "constant", Rational(1, 50));
   const Budget b = landing_budget(float_format("f32"), q, Rational(17, 10), Rational(981, 100));
   const long double u = std::sqrt(2 * 9.81L * 1.7L), h = 0.02L, truth = 2 * u / 9.81L;
   const auto x = [&](long double n) { return u * n * h - 9.81L / 2 * n * h * n * h; };
@@ -93,7 +82,7 @@ TEST_CASE("the period of a spring, beside one that is read by hand") {
   for (int periods : {1, 3}) {
     CAPTURE(periods);
     const Budget b =
-        period_budget(float_format("f64"), question("symplectic-euler", "spring:k=1", h), periods);
+        period_budget(float_format("f64"), resting_body("symplectic-euler", "spring:k=1", h), periods);
     const BudgetLine& l = b.lines.at(0);
     CHECK(l.closes());
     Rational x = 1, v = 0;
@@ -126,7 +115,7 @@ TEST_CASE("the period of a spring, beside one that is read by hand") {
     CHECK(std::abs(l.computed.value.to_double() - in_double) < 1e-13);
   }
   // Damped, about a level that is not 0, from rest at the level.
-  FloatQuestion q = question("velocity-verlet", "constant:a=3+damped-spring:k=4,c=1/2", Rational(1, 20));
+  FloatQuestion q = resting_body("velocity-verlet", "constant:a=3+damped-spring:k=4,c=1/2", Rational(1, 20));
   q.x0 = Rational(3, 4);
   q.v0 = -1;
   const Budget b = period_budget(float_format("f32"), q, 2);
@@ -146,8 +135,8 @@ TEST_CASE("budgets of landings and periods close for random integrators, forces 
     const std::vector<Program>& all = catalogue();
     const Program& program = all[static_cast<std::size_t>(pick(0, static_cast<int>(all.size()) - 1))];
     if (family(program) == "engines" || program.solves) continue;
-    FloatQuestion q = question(program.name, springs[static_cast<std::size_t>(pick(0, 2))],
-                               Rational(pick(1, 4), pick(25, 60)));
+    FloatQuestion q = resting_body(program.name, springs[static_cast<std::size_t>(pick(0, 2))],
+                                   Rational(pick(1, 4), pick(25, 60)));
     q.x0 = Rational(pick(1, 9), 7);
     q.v0 = Rational(pick(-9, 9), 5);
     const FloatFormat format = float_format(kFormats[static_cast<std::size_t>(pick(0, 11))]);
@@ -174,17 +163,17 @@ TEST_CASE("budgets of landings and periods close for random integrators, forces 
 
 TEST_CASE("what has no period and no landing is refused with a reason") {
   const FloatFormat f32 = float_format("f32");
-  CHECK_THROWS_AS(period_budget(f32, question("velocity-verlet", "constant:a=-9", Rational(1, 50)), 1),
+  CHECK_THROWS_AS(period_budget(f32, resting_body("velocity-verlet", "constant:a=-9", Rational(1, 50)), 1),
                   Unable);
   CHECK_THROWS_AS(
-      period_budget(f32, question("velocity-verlet", "damped-spring:k=1,c=3", Rational(1, 50)), 1),
+      period_budget(f32, resting_body("velocity-verlet", "damped-spring:k=1,c=3", Rational(1, 50)), 1),
       Undefined);
-  CHECK_THROWS_AS(period_budget(f32, question("velocity-verlet", "spring:k=1", 4), 1), Unable);
-  CHECK_THROWS_AS(period_budget(f32, question("velocity-verlet", "spring:k=1", Rational(1, 50)), 0),
+  CHECK_THROWS_AS(period_budget(f32, resting_body("velocity-verlet", "spring:k=1", 4), 1), Unable);
+  CHECK_THROWS_AS(period_budget(f32, resting_body("velocity-verlet", "spring:k=1", Rational(1, 50)), 0),
                   BadInput);
-  FloatQuestion rest = question("velocity-verlet", "constant:a=2+spring:k=2", Rational(1, 50));
+  FloatQuestion rest = resting_body("velocity-verlet", "constant:a=2+spring:k=2", Rational(1, 50));
   CHECK_THROWS_AS(period_budget(f32, rest, 1), Undefined);
-  CHECK_THROWS_AS(landing_budget(f32, question("symplectic-euler", "constant", Rational(1, 50)),
+  CHECK_THROWS_AS(landing_budget(f32, resting_body("symplectic-euler", "constant", Rational(1, 50)),
                                  Rational(1, 1000), Rational(981, 100)),
                   Unable);
 }

@@ -11,20 +11,13 @@
 #include "analysis/floating/small_float.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/parse.hpp"
+#include "tests/floating/float_question.hpp"
 
 using namespace shortfall;
 
-namespace {
+using testing::moving_body;
 
-FloatQuestion question(const std::string& integrator, const std::string& force, const Rational& h) {
-  FloatQuestion q;
-  q.program = find_integrator(integrator);
-  q.force = force_named(force);
-  q.h = h;
-  q.x0 = 1;
-  q.v0 = Rational(-1, 3);
-  return q;
-}
+namespace {
 
 Rational exactly(double value) { return Rational::from_double(value); }
 Rational exactly(float value) { return Rational::from_double(value); }
@@ -106,8 +99,8 @@ TEST_CASE("the trajectory is the same bit for bit, and what is tracked is the ex
     const std::vector<Program>& all = catalogue();
     const Program& program = all[static_cast<std::size_t>(pick(0, static_cast<int>(all.size()) - 1))];
     if (family(program) == "engines") continue;
-    FloatQuestion q = question(program.name, forces[static_cast<std::size_t>(pick(0, 4))],
-                               Rational(pick(1, 9), pick(20, 60)));
+    FloatQuestion q = moving_body(program.name, forces[static_cast<std::size_t>(pick(0, 4))],
+                                  Rational(pick(1, 9), pick(20, 60)));
     q.substeps = pick(1, 2);
     const FloatFormat format = float_format(formats[static_cast<std::size_t>(pick(0, 9))]);
     CAPTURE(program.name);
@@ -153,7 +146,7 @@ TEST_CASE("100,000 steps: the rounding of the budget, to ten digits") {
   for (const char* format : {"f32", "f64", "f64+fma", "f32+kahan"}) {
     CAPTURE(format);
     const Budget b =
-        budget(float_format(format), question("velocity-verlet", "spring:k=1", Rational(1, 10)), 100'000);
+        budget(float_format(format), moving_body("velocity-verlet", "spring:k=1", Rational(1, 10)), 100'000);
     REQUIRE(b.tracked.has_value());
     for (std::size_t i : {0U, 1U}) {
       const BudgetLine& l = b.lines[i];
@@ -166,7 +159,7 @@ TEST_CASE("100,000 steps: the rounding of the budget, to ten digits") {
 }
 
 TEST_CASE("where no exact map is known, rounding is, as tracked beside the run") {
-  FloatQuestion q = question("symplectic-euler", "spring:k=1", Rational(1, 10));
+  FloatQuestion q = moving_body("symplectic-euler", "spring:k=1", Rational(1, 10));
   q.program = parse(
       "integrator slower\n"
       "step\n"
@@ -190,7 +183,7 @@ TEST_CASE("where no exact map is known, rounding is, as tracked beside the run")
 }
 
 TEST_CASE("formats whose roundings are no numbers of theirs are not tracked") {
-  const FloatQuestion q = question("velocity-verlet", "spring:k=1", Rational(1, 10));
+  const FloatQuestion q = moving_body("velocity-verlet", "spring:k=1", Rational(1, 10));
   for (const char* format : {"f128", "dd", "mpfr:50", "f32+origin", "f64+tozero", "f16+tozero"})
     CHECK(tracked_run(float_format(format), q) == nullptr);
 }

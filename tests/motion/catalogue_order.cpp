@@ -18,17 +18,17 @@ namespace {
 
 constexpr int kDigits = 60;
 
-Real number(int numerator, int denominator = 1) { return real(Rational(numerator, denominator), kDigits); }
+Real real_number(int numerator, int denominator = 1) { return real(Rational(numerator, denominator), kDigits); }
 
 /// x'' = -4 x - 3 x^3 + 2 t x + t^2, from x(0) = 1, v(0) = -1/2.
 Real force(const Real& x, const Real&, const Real& t) {
-  return number(-4) * x - number(3) * x * x * x + number(2) * t * x + t * t;
+  return real_number(-4) * x - real_number(3) * x * x * x + real_number(2) * t * x + t * t;
 }
 
 using Series = std::vector<Real>;
 
 Real product(const Series& a, const Series& b, int n) {
-  Real sum = number(0);
+  Real sum = real_number(0);
   for (int k = 0; k <= n; ++k) sum += a[k] * b[n - k];
   return sum;
 }
@@ -37,25 +37,25 @@ Real product(const Series& a, const Series& b, int n) {
 /// 1/4, so what is left out is below 1e-36.
 std::pair<Real, Real> truth() {
   constexpr int kTerms = 40, kSteps = 32;
-  Real x = number(1), v = number(-1, 2);
+  Real x = real_number(1), v = real_number(-1, 2);
   for (int step = 0; step < kSteps; ++step) {
-    const Series t{number(step, kSteps), number(1)};
+    const Series t{real_number(step, kSteps), real_number(1)};
     Series s{x, v}, square, cube;
     for (int n = 0; n < kTerms; ++n) {
       square.push_back(product(s, s, n));
       cube.push_back(product(square, s, n));
-      Real a = number(-4) * s[n] - number(3) * cube[n] + number(2) * t[0] * s[n];
-      if (n > 0) a += number(2) * s[n - 1];
+      Real a = real_number(-4) * s[n] - real_number(3) * cube[n] + real_number(2) * t[0] * s[n];
+      if (n > 0) a += real_number(2) * s[n - 1];
       if (n == 0) a += t[0] * t[0];
-      if (n == 1) a += number(2) * t[0];
-      if (n == 2) a += number(1);
-      s.push_back(a / number((n + 1) * (n + 2)));
+      if (n == 1) a += real_number(2) * t[0];
+      if (n == 2) a += real_number(1);
+      s.push_back(a / real_number((n + 1) * (n + 2)));
     }
-    const Real h = number(1, kSteps);
-    x = v = number(0);
+    const Real h = real_number(1, kSteps);
+    x = v = real_number(0);
     for (int n = kTerms; n >= 0; --n) {
       x = x * h + s[n];
-      if (n > 0) v = v * h + number(n) * s[n];
+      if (n > 0) v = v * h + real_number(n) * s[n];
     }
   }
   return {x, v};
@@ -66,8 +66,8 @@ Real error(const Program& program, int steps, const std::pair<Real, Real>& exact
   problem.round = [](const Rational& r) { return real(r, kDigits); };
   problem.force = force;
   const Tape tape = lower(program, parameter_values(program));
-  Run<Numbers<Real>> run(tape, problem, number(1, steps));
-  run.begin(number(1), number(-1, 2), number(0));
+  Run<Numbers<Real>> run(tape, problem, real_number(1, steps));
+  run.begin(real_number(1), real_number(-1, 2), real_number(0));
   for (int n = 0; n < steps; ++n) run.step();
   const auto [x, v] = run.read_out();
   return abs(Real(x - exact.first)) + abs(Real(v - exact.second));
@@ -104,7 +104,7 @@ TEST_CASE("every integrator shows the order that its publication claims, with 60
     REQUIRE(kOrder.contains(program.name));
     const int order = kOrder.at(program.name), steps = order < 3 ? 100 : 24;
     const Real coarse = error(program, steps, exact), fine = error(program, 2 * steps, exact);
-    const double seen = static_cast<double>(Real(log(Real(coarse / fine)) / log(number(2))));
+    const double seen = static_cast<double>(Real(log(Real(coarse / fine)) / log(real_number(2))));
     CAPTURE(seen);
     CHECK(std::abs(seen - order) < 0.2);
   }

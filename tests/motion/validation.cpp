@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kHighestDegree = 6;
 constexpr int kSteps = 12;
-constexpr int kDigits = 100;
+constexpr int kRoundedDigits = 100;
 
 /// Whether letters stand for pow(1 - c, h) and the like, which have no value in rational numbers.
 bool calls_functions(const Program& program) { return !step_map(lower(program), 0).extras.empty(); }
@@ -107,7 +107,7 @@ void validate(const Program& program, const StepMap& map, const ClosedForm& form
   std::map<Letter, Rational> letters{{kStepLetter, trial.h}};
   for (const ExtraLetters::Extra& e : map.extras) {
     if (!e.root) return;  // exp and pow of a random step are no rational numbers
-    const RealRoot fine = e.root->refined(Rational(1) / Rational(10).pow(kDigits + 30));
+    const RealRoot fine = e.root->refined(Rational(1) / Rational(10).pow(kRoundedDigits + 30));
     letters[e.letter] = (fine.low() + fine.high()) / Rational(2);
   }
   const Values values = parameter_values(program, trial.parameters);
@@ -117,13 +117,14 @@ void validate(const Program& program, const StepMap& map, const ClosedForm& form
   const bool rational = map.extras.empty();
   std::vector<std::pair<Rational, Rational>> exact;
   if (rational) exact = stepped<Rational>(program, trial, [](const Rational& r) { return r; });
-  const auto rounded = stepped<Real>(program, trial, [](const Rational& r) { return real(r, kDigits); });
+  const auto rounded =
+      stepped<Real>(program, trial, [](const Rational& r) { return real(r, kRoundedDigits); });
   Rational largest = 1;
   for (int n = form.valid_from; n <= kSteps; ++n)
-    largest = std::max({largest, value(form, true, n, trial, letters).abs(),
-                        value(form, false, n, trial, letters).abs()});
+    largest = std::max(
+        {largest, value(form, true, n, trial, letters).abs(), value(form, false, n, trial, letters).abs()});
   // A few hundred roundings of 10^-100 each, and what cancels between them: ten digits are more than enough.
-  const Real bound = real(largest * Rational(10).pow(10 - kDigits), kDigits);
+  const Real bound = real(largest * Rational(10).pow(10 - kRoundedDigits), kRoundedDigits);
   for (int n = form.valid_from; n <= kSteps; ++n) {
     CAPTURE(n);
     const Rational x = value(form, true, n, trial, letters);
@@ -132,8 +133,8 @@ void validate(const Program& program, const StepMap& map, const ClosedForm& form
       CHECK(x == exact[n].first);
       CHECK(v == exact[n].second);
     }
-    CHECK(abs(Real(rounded[n].first - real(x, kDigits))) <= bound);
-    CHECK(abs(Real(rounded[n].second - real(v, kDigits))) <= bound);
+    CHECK(abs(Real(rounded[n].first - real(x, kRoundedDigits))) <= bound);
+    CHECK(abs(Real(rounded[n].second - real(v, kRoundedDigits))) <= bound);
     ++count.exact;
     ++count.rounded;
   }
@@ -166,7 +167,7 @@ void validate_letters(const Program& program, int degree, Chance& chance, int tr
 
 TEST_CASE(
     "closed forms of the catalogue agree with stepping, exactly in rationals and to rounding at 100 digits") {
-  const Precision digits(kDigits);
+  const Precision digits(kRoundedDigits);
   Chance chance(20);
   Count count;
   for (const Program& program : testing::undamped_catalogue())
@@ -177,7 +178,7 @@ TEST_CASE(
 }
 
 TEST_CASE("closed forms with parameters that the user gives agree with stepping") {
-  const Precision digits(kDigits);
+  const Precision digits(kRoundedDigits);
   Chance chance(21);
   Count count;
   for (const Program& program : testing::undamped_catalogue()) {
@@ -199,7 +200,7 @@ TEST_CASE("closed forms with parameters that the user gives agree with stepping"
 }
 
 TEST_CASE("closed forms of integrators that a user may write agree with stepping") {
-  const Precision digits(kDigits);
+  const Precision digits(kRoundedDigits);
   Chance chance(22);
   for (const auto& [what, text] : testing::random_integrators(chance, 60)) {
     CAPTURE(text);

@@ -2,6 +2,8 @@
 target_link_libraries(test_native PRIVATE shortfall::native quadmath MPFR::MPFR GMP::GMP Boost::headers)
 # The whole catalogue in eight number types; what is compared is bits, not speed.
 set_source_files_properties(native/small_formats.cpp native/wide_formats.cpp PROPERTIES COMPILE_OPTIONS "-O1")
+set_source_files_properties(native/small_formats.cpp native/wide_formats.cpp native/hardware_formats.cpp
+                            PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # long enough by themselves
 get_target_property(native_definitions shortfall_native COMPILE_DEFINITIONS)
 if("SHORTFALL_AVX2" IN_LIST native_definitions)
   add_test(NAME native_shared_functions

@@ -40,6 +40,9 @@ done
 for schema in "$usr"/share/shortfall/*.schema.json; do
   [ -s "$schema" ] || fail "no schemas"
 done
+for schema in "$source"/share/output/*.schema.json; do
+  cmp "$schema" "$usr/share/shortfall/output/$(basename "$schema")" || fail "no schema of the output"
+done
 
 PKG_CONFIG_PATH=$(dirname "$(find "$usr" -name shortfall.pc)")
 export PKG_CONFIG_PATH

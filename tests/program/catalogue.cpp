@@ -9,20 +9,11 @@
 #include <fstream>
 
 #include "analysis/algebra/error.hpp"
+#include "tests/program/find_refusal.hpp"
 
 using namespace shortfall;
 
-namespace {
-
-std::string refusal(const std::string& word) {
-  try {
-    return "found " + find_integrator(word).name;
-  } catch (const Error& e) {
-    return e.what();
-  }
-}
-
-}  // namespace
+using testing::refusal;
 
 TEST_CASE(
     "every integrator of the catalogue is found by its name and by each of its aliases, however they are "

@@ -19,8 +19,10 @@
 #include "analysis/program/transform.hpp"
 #include "analysis/series/order_claims.hpp"
 #include "analysis/stability/stability_claims.hpp"
+#include "tests/program/written_program.hpp"
 
 using namespace shortfall;
+using testing::after, testing::read, testing::with_step;
 
 namespace {
 
@@ -71,14 +73,6 @@ std::string example(const std::string& start) {
   return {};
 }
 
-Program read(const std::string& head, const std::string& blocks) {
-  return parse("integrator test\n" + head + "\n" + blocks + "\n", "test.integrator");
-}
-
-Program with_step(const std::string& step, const std::string& head = "") {
-  return read(head, "step\n" + step);
-}
-
 /// Whether a file is refused.
 bool wrong(const std::string& head, const std::string& blocks = "step\n  x = x + h*v") {
   try {
@@ -90,21 +84,6 @@ bool wrong(const std::string& head, const std::string& blocks = "step\n  x = x +
 }
 bool wrong_step(const std::string& step, const std::string& head = "") {
   return wrong(head, "step\n" + step);
-}
-
-using Pair = std::pair<Rational, Rational>;
-
-/// x and v after steps from x = 1, v = 2 at t = 0 under a = t - x - v/2, which tells x, v and t apart.
-Pair after(const Program& program, int steps, const Rational& h, const Values& values = {},
-           const Rational& impulse = 0) {
-  const Tape tape = lower(program, values);
-  Numbers<Rational> problem{
-      [](const Rational& x, const Rational& v, const Rational& t) { return t - x - v / 2; }};
-  Run<Numbers<Rational>> run(tape, problem, h);
-  run.begin(1, 2, 0);
-  if (tape.impulse >= 0) run.give_impulse(impulse);
-  for (int n = 0; n < steps; ++n) run.step();
-  return run.read_out();
 }
 
 /// In binary64, from a speed, without a force.
@@ -151,15 +130,16 @@ TEST_CASE("the fragments do what is said of them") {
   const Program roots = with_step("  x = x + theta*r*h*v", example("root theta"));
   CHECK(roots.roots[0].value->significant(6) == "1.35121");  // Yoshida's 1/(2 - 2^(1/3))
   CHECK(roots.roots[1].value->significant(6) == "2.41421");
-  CHECK(after(with_step(example("v = v + j") + kDrift, "  impulse j : L/T"), 1, kH, {}, 5).second ==
+  CHECK(after<Rational>(with_step(example("v = v + j") + kDrift, "  impulse j : L/T"), 1, kH, {}, 5).second ==
         Rational(2) + 5 + kH * -2);
   const Program midpoint = read("", example("tableau"));
   const Program written = with_step(
       "  k = a(x, v, t)\n  y = x + h/2*v\n  w = v + h/2*k\n  x = x + h*w\n  v = v + h*a(y, w, t + h/2)");
-  CHECK(after(midpoint, 3, kH) == after(written, 3, kH));
+  CHECK(after<Rational>(midpoint, 3, kH) == after<Rational>(written, 3, kH));
   const Program leapfrog = read("", example("splitting"));
-  CHECK(after(leapfrog, 3, kH) ==
-        after(with_step("  v = v + 1/2*h*a(x, v, t)\n" + kDrift + "  v = v + 1/2*h*a(x, v, t + h)"), 3, kH));
+  CHECK(after<Rational>(leapfrog, 3, kH) ==
+        after<Rational>(with_step("  v = v + 1/2*h*a(x, v, t)\n" + kDrift + "  v = v + 1/2*h*a(x, v, t + h)"),
+                        3, kH));
 }
 
 TEST_CASE("lines and names") {
@@ -188,7 +168,7 @@ TEST_CASE("lines and names") {
   CHECK_FALSE(name("Euler"));
   CHECK_FALSE(name("a_b"));
   CHECK(says("The default may use parameters above it."));
-  CHECK(after(with_step(" x = x + q*h*v", "param p = 3\nparam q = p/2"), 1, 1).first == 4);
+  CHECK(after<Rational>(with_step(" x = x + q*h*v", "param p = 3\nparam q = p/2"), 1, 1).first == 4);
   CHECK(wrong_step(" x = x + q*h*v", "param q = p/2\nparam p = 3"));
 }
 
@@ -201,26 +181,26 @@ TEST_CASE("values, dimensions, numbers and operators") {
   CHECK_FALSE(wrong_step("  x = x + 0"));
   CHECK(wrong_step("  x = x + 1"));
   CHECK(says("a decimal is exact (0.1 is one tenth)"));
-  CHECK(after(with_step("  x = 0.1*x"), 1, 1).first == Rational(1, 10));
-  CHECK(after(with_step("  x = 1e-3*x"), 1, 1).first == Rational(1, 1000));
+  CHECK(after<Rational>(with_step("  x = 0.1*x"), 1, 1).first == Rational(1, 10));
+  CHECK(after<Rational>(with_step("  x = 1e-3*x"), 1, 1).first == Rational(1, 1000));
   CHECK(says("`-h^2` is -(h^2)"));
-  CHECK(after(with_step("  x = -h^2*a(x, v, t)"), 1, Rational(1, 2)).first == Rational(1, 2));
+  CHECK(after<Rational>(with_step("  x = -h^2*a(x, v, t)"), 1, Rational(1, 2)).first == Rational(1, 2));
   CHECK(says("Multiplication is always written: `2*h`, never `2h`."));
   CHECK(wrong_step("  x = x + 2h*v"));
   CHECK(says(
       "Operators, loosest first: `+ -`, then `* /`, then unary `-`, then `^` with an integer exponent."));
-  CHECK(after(with_step("  x = x - 2*x/4*3 - -2^3*x"), 1, 1).first == Rational(15, 2));
+  CHECK(after<Rational>(with_step("  x = x - 2*x/4*3 - -2^3*x"), 1, 1).first == Rational(15, 2));
   CHECK(wrong_step("  x = 2^(1/2)*x"));
 }
 
 TEST_CASE("functions: where they have a rational value, and where the run is refused") {
   CHECK(says(
       "In exact rational numbers only what stays rational has a value (`sqrt(4)`, `exp(0)`, `pow(1, h)`)"));
-  CHECK(after(with_step("  x = sqrt(4)*exp(0)*pow(1, h)*x"), 1, kH).first == 2);
+  CHECK(after<Rational>(with_step("  x = sqrt(4)*exp(0)*pow(1, h)*x"), 1, kH).first == 2);
   CHECK(says("otherwise the run is refused and the function named"));
   for (const std::string f : {"sqrt(2)", "exp(1)", "pow(2, h)"}) {
     CAPTURE(f);
-    CHECK_THROWS_WITH_AS(after(with_step("  x = " + f + "*x"), 1, kH),
+    CHECK_THROWS_WITH_AS(after<Rational>(with_step("  x = " + f + "*x"), 1, kH),
                          doctest::Contains(f.substr(0, f.find('(')).c_str()), Unable);
   }
   CHECK(says("An exponent that is a time counts seconds: `pow(1 - c, h)`"));
@@ -231,7 +211,7 @@ TEST_CASE("functions: where they have a rational value, and where the run is ref
   CHECK(wrong_step("  x = x + sqrt(h)*v"));
   CHECK(says("`max(r, s)`, `min(r, s)` | alike"));
   CHECK(wrong_step("  x = x + max(h, 1)*v"));
-  CHECK(after(with_step("  x = max(1/3, 1/2)*min(3, 4)*x"), 1, 1).first == Rational(3, 2));
+  CHECK(after<Rational>(with_step("  x = max(1/3, 1/2)*min(3, 4)*x"), 1, 1).first == Rational(3, 2));
 }
 
 TEST_CASE("algebraic numbers") {
@@ -253,20 +233,23 @@ TEST_CASE("statements: locals, implicit stages, substeps and time") {
   // k = t - x - h v ... of the implicit Euler rule, solved by hand: v1 = (v - h x + h t1)/(1 + h/2 + h^2).
   const Program implicit =
       with_step("  solve k : L/T^2 = a(x + h*(v + h*k), v + h*k, t + h)\n  v = v + h*k\n  x = x + h*v");
-  CHECK(after(implicit, 1, kH).second == (Rational(2) - kH + kH * kH) / (Rational(1) + kH / 2 + kH * kH));
+  CHECK(after<Rational>(implicit, 1, kH).second ==
+        (Rational(2) - kH + kH * kH) / (Rational(1) + kH / 2 + kH * kH));
   CHECK(says(
       "the statements N times with h/N; inside, t is the time at the beginning of the substep; after it, the "
       "beginning of the step again"));
   const std::string kick = "    v = v + h*a(x, v, t)\n    x = x + h*v\n";
-  CHECK(after(with_step("  substeps 4 {\n" + kick + "  }"), 3, kH) == after(with_step(kick), 12, kH / 4));
+  CHECK(after<Rational>(with_step("  substeps 4 {\n" + kick + "  }"), 3, kH) ==
+        after<Rational>(with_step(kick), 12, kH / 4));
   // a = t where x and v are 0: the time after the substeps is the step's own beginning.
-  CHECK(after(with_step("  substeps 2 {\n    y = x\n  }\n  x = h^2*a(0*x, 0*v, t)"), 2, 3).first == 27);
+  CHECK(after<Rational>(with_step("  substeps 2 {\n    y = x\n  }\n  x = h^2*a(0*x, 0*v, t)"), 2, 3).first ==
+        27);
   CHECK(says("N is a whole number or a parameter"));
   CHECK_FALSE(wrong_step("  substeps N {\n" + kick + "  }", "param N = 2"));
-  CHECK_THROWS(
-      after(with_step("  substeps N {\n" + kick + "  }", "param N = 2"), 1, 1, {{"N", Rational(1, 2)}}));
+  CHECK_THROWS(after<Rational>(with_step("  substeps N {\n" + kick + "  }", "param N = 2"), 1, 1,
+                               {{"N", Rational(1, 2)}}));
   CHECK(says("`t` is the time at its beginning; when the block ends, t has advanced by h"));
-  CHECK(after(with_step("  x = h^2*a(0*x, 0*v, t)"), 3, 2).first == 16);
+  CHECK(after<Rational>(with_step("  x = h^2*a(0*x, 0*v, t)"), 3, 2).first == 16);
   CHECK(says("x, v and states may be assigned; h, t, a, parameters, roots and the impulse may not."));
   for (const char* statement :
        {"  h = 2*h", "  t = t + h", "  a = a(x, v, t)", "  p = 2", "  r = 2", "  j = v"}) {
@@ -274,11 +257,12 @@ TEST_CASE("statements: locals, implicit stages, substeps and time") {
     CHECK(wrong_step(statement, "param p = 1\nroot r of r^3 = 2\nimpulse j : L/T"));
   }
   CHECK(says("how x and v are read out after a step (they are not changed for the next step)"));
-  CHECK(after(read("", "step\n" + kick + "finish\n  x = 3*x\n  v = 0"), 2, kH) ==
-        Pair(after(with_step(kick), 2, kH).first * 3, 0));
+  CHECK(after<Rational>(read("", "step\n" + kick + "finish\n  x = 3*x\n  v = 0"), 2, kH) ==
+        std::pair<Rational, Rational>(after<Rational>(with_step(kick), 2, kH).first * 3, 0));
   CHECK(says("run once, before the first step: gives every `state` its first value; may change x and v"));
   CHECK(wrong("state f : L", "step\n  x = x + f"));
-  CHECK(after(read("state f : L", "start\n  f = 2*x\n  x = 5*x\nstep\n  x = x + f"), 2, kH).first == 9);
+  CHECK(after<Rational>(read("state f : L", "start\n  f = 2*x\n  x = 5*x\nstep\n  x = x + f"), 2, kH).first ==
+        9);
 }
 
 TEST_CASE("limits and when: at the place where they stand, with numbers") {
@@ -311,16 +295,16 @@ TEST_CASE("impulses and held forces") {
   const std::string step = "  v = v + j + h*a(x, v, t)\n" + kDrift;
   const Program p = with_step(step, "impulse j : L/T");
   const Program none = with_step("  v = v + h*a(x, v, t)\n" + kDrift);
-  CHECK(after(p, 3, kH) == after(none, 3, kH));
+  CHECK(after<Rational>(p, 3, kH) == after<Rational>(none, 3, kH));
   CHECK(says("With `--substeps` it acts in the first substep."));
-  CHECK(after(substepped(p, 4), 2, kH, {}, 5) == after(p, 8, kH / 4, {}, 5));
+  CHECK(after<Rational>(substepped(p, 4), 2, kH, {}, 5) == after<Rational>(p, 8, kH / 4, {}, 5));
   CHECK(says("every `a(...)` in the step block has this value, whatever stands in its parentheses"));
   const std::string twice = "  v = v + h/2*a(x, v, t)\n" + kDrift + "  v = v + h/2*a(x, v, t + h)";
   const std::string once = "  f = a(x, v, t)\n  v = v + h/2*f\n" + kDrift + "  v = v + h/2*f";
-  CHECK(after(with_step(twice, "hold a"), 3, kH) == after(with_step(once), 3, kH));
+  CHECK(after<Rational>(with_step(twice, "hold a"), 3, kH) == after<Rational>(with_step(once), 3, kH));
   CHECK(says("It matters for steps with substeps, also for those that a user asks for (`--substeps N`)."));
-  CHECK(after(substepped(with_step(twice, "hold a"), 2), 1, kH) !=
-        after(substepped(with_step(once), 2), 1, kH));
+  CHECK(after<Rational>(substepped(with_step(twice, "hold a"), 2), 1, kH) !=
+        after<Rational>(substepped(with_step(once), 2), 1, kH));
 }
 
 TEST_CASE("assumptions, other equations, tableaus and splittings") {
@@ -340,11 +324,11 @@ TEST_CASE("assumptions, other equations, tableaus and splittings") {
       "Entries may use parameters, roots and `sqrt`: `(1-g)/2`, `1/4-sqrt(3)/6`, without blanks inside."));
   CHECK_FALSE(wrong("param g = 1/3", "tableau\n  (1-g)/2 | 1/4-sqrt(3)/6\n  b | 1"));
   CHECK(says("a row may stop early (the rest is 0)"));
-  CHECK(after(read("", "tableau\n  0 |\n  1/2 | 1/2\n  1 | 0 1\n  b | 0 0 1"), 2, kH) ==
-        after(read("", "tableau\n  0 | 0 0 0\n  1/2 | 1/2 0 0\n  1 | 0 1 0\n  b | 0 0 1"), 2, kH));
+  CHECK(after<Rational>(read("", "tableau\n  0 |\n  1/2 | 1/2\n  1 | 0 1\n  b | 0 0 1"), 2, kH) ==
+        after<Rational>(read("", "tableau\n  0 | 0 0 0\n  1/2 | 1/2 0 0\n  1 | 0 1 0\n  b | 0 0 1"), 2, kH));
   CHECK(says("Time advances with the drifts"));
-  CHECK(after(read("", "splitting\n  drift 1/2\n  kick 1\n  drift 1/2"), 2, kH) ==
-        after(with_step("  x = x + h/2*v\n  v = v + h*a(x, v, t + h/2)\n  x = x + h/2*v"), 2, kH));
+  CHECK(after<Rational>(read("", "splitting\n  drift 1/2\n  kick 1\n  drift 1/2"), 2, kH) ==
+        after<Rational>(with_step("  x = x + h/2*v\n  v = v + h*a(x, v, t + h/2)\n  x = x + h/2*v"), 2, kH));
 }
 
 TEST_CASE("claims: every word of the document is one, and any other is an error") {

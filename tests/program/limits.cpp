@@ -12,7 +12,7 @@ using namespace shortfall;
 namespace {
 
 /// What a user reads about a step; "" when it is accepted.
-std::string complaint(const std::string& statements) {
+std::string step_complaint(const std::string& statements) {
   try {
     lower(parse("integrator test\nstep\n" + statements + "\n", "test.integrator"));
     return "";
@@ -37,35 +37,35 @@ std::string repeated(const std::string& text, int times) {
 }  // namespace
 
 TEST_CASE("an expression may have a thousand values, and two hundred levels") {
-  CHECK(complaint(sum_of(990)).empty());
-  CHECK(complaint(sum_of(1010)).ends_with("the expression has more than 1000 values"));
-  CHECK(complaint("x = " + repeated("(", 95) + "x" + repeated(")", 95)).empty());
-  CHECK(complaint("x = " + repeated("-", 150) + "x").empty());
-  CHECK(complaint("x = " + repeated("(", 300) + "x" + repeated(")", 300))
+  CHECK(step_complaint(sum_of(990)).empty());
+  CHECK(step_complaint(sum_of(1010)).ends_with("the expression has more than 1000 values"));
+  CHECK(step_complaint("x = " + repeated("(", 95) + "x" + repeated(")", 95)).empty());
+  CHECK(step_complaint("x = " + repeated("-", 150) + "x").empty());
+  CHECK(step_complaint("x = " + repeated("(", 300) + "x" + repeated(")", 300))
             .ends_with("nested deeper than 200 levels"));
 }
 
 TEST_CASE("long files are read as quickly as they are long") {
-  CHECK(complaint(repeated("x = x + h*v\n", 50'000)).empty());
-  CHECK(complaint(repeated("# nothing\n", 99'000) + "x = x").empty());
-  CHECK(complaint(repeated("# nothing\n", 101'000) + "x = x") ==
+  CHECK(step_complaint(repeated("x = x + h*v\n", 50'000)).empty());
+  CHECK(step_complaint(repeated("# nothing\n", 99'000) + "x = x").empty());
+  CHECK(step_complaint(repeated("# nothing\n", 101'000) + "x = x") ==
         "test.integrator:1:1: the file is larger than 1 MB; an integrator needs about twelve lines");
 }
 
 TEST_CASE("numbers may have ten thousand digits, also those that are made of numbers") {
-  CHECK(complaint("x = x*1e9999").empty());
-  CHECK(complaint("x = x*999^1000").empty());
-  CHECK(complaint("x = x*(10^1000*10^1000)").empty());
-  CHECK_FALSE(complaint("x = x*(999^1000)^4").empty());
-  CHECK_FALSE(complaint("x = x*1e10001").empty());
-  CHECK_FALSE(complaint("x = x*(1e9999*1e9999)").empty());
+  CHECK(step_complaint("x = x*1e9999").empty());
+  CHECK(step_complaint("x = x*999^1000").empty());
+  CHECK(step_complaint("x = x*(10^1000*10^1000)").empty());
+  CHECK_FALSE(step_complaint("x = x*(999^1000)^4").empty());
+  CHECK_FALSE(step_complaint("x = x*1e10001").empty());
+  CHECK_FALSE(step_complaint("x = x*(1e9999*1e9999)").empty());
 }
 
 TEST_CASE("the powers of locals multiply up to ten thousand at most") {
-  CHECK(complaint("k = h^1000\n l = k^10/h^10000*1\n x = x") ==
+  CHECK(step_complaint("k = h^1000\n l = k^10/h^10000*1\n x = x") ==
         "test.integrator:4:13: an exponent is a whole number from -1000 to 1000");
-  CHECK(complaint("k = (h/h)^500\n l = k^9\n x = l*x").empty());
-  CHECK_FALSE(complaint("k = (h/h)^500\n l = k^11\n x = l*x").empty());
+  CHECK(step_complaint("k = (h/h)^500\n l = k^9\n x = l*x").empty());
+  CHECK_FALSE(step_complaint("k = (h/h)^500\n l = k^11\n x = l*x").empty());
 }
 
 TEST_CASE("a line that would fill the screen is not shown") {

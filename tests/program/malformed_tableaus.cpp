@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
-#include <algorithm>
-#include <filesystem>
 #include <fstream>
 #include <random>
 
@@ -11,8 +9,10 @@
 #include "analysis/program/parse.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/tableau_file.hpp"
+#include "tests/program/malformed_file.hpp"
 
 using namespace shortfall;
+using testing::expected, testing::files_of;
 
 namespace {
 
@@ -20,42 +20,25 @@ namespace fs = std::filesystem;
 
 const fs::path kData = fs::path(SHORTFALL_SOURCE_DIR) / "tests/data";
 
-std::vector<fs::path> json_files(const fs::path& folder) {
-  std::vector<fs::path> files;
-  for (const auto& entry : fs::directory_iterator(folder))
-    if (entry.path().extension() == ".json") files.push_back(entry.path());
-  std::ranges::sort(files);
-  return files;
+std::string tableau_complaint(const fs::path& file) {
+  return testing::complaint_of([&] { parse_tableau(file_text(file.string()), file.filename().string()); });
 }
-
-/// What a user reads: the message, and the line with the caret.
-std::string complaint(const fs::path& file) {
-  try {
-    parse_tableau(file_text(file.string()), file.filename().string());
-    return "accepted\n";
-  } catch (const SyntaxError& e) {
-    const std::string context = e.context();
-    return std::string(e.what()) + "\n" + (context.empty() ? "" : context + "\n");
-  }
-}
-
-fs::path expected(fs::path file) { return file.replace_extension(".expected"); }
 
 }  // namespace
 
 TEST_CASE("every malformed tableau is refused with its message, in its place") {
-  const std::vector<fs::path> files = json_files(kData / "malformed-tableaus");
+  const std::vector<fs::path> files = files_of(kData / "malformed-tableaus", ".json");
   CHECK(files.size() >= 100);
   for (const fs::path& file : files) {
     CAPTURE(file.filename().string());
-    CHECK(complaint(file) == file_text(expected(file).string()));
+    CHECK(tableau_complaint(file) == file_text(expected(file).string()));
   }
 }
 
 TEST_CASE("the expected messages of the malformed tableaus are written anew" * doctest::skip()) {
-  for (const fs::path& file : json_files(kData / "malformed-tableaus")) {
+  for (const fs::path& file : files_of(kData / "malformed-tableaus", ".json")) {
     CAPTURE(file.filename().string());
-    const std::string text = complaint(file);
+    const std::string text = tableau_complaint(file);
     CHECK(text != "accepted\n");
     std::ofstream(expected(file), std::ios::binary) << text;
   }
@@ -83,7 +66,7 @@ TEST_CASE("five hundred stages in full are refused at once") {
 
 TEST_CASE("a tableau with some bytes changed is read or refused with a place, whatever they are") {
   std::mt19937 rng(20240607);
-  const std::vector<fs::path> files = json_files(kData / "methods");
+  const std::vector<fs::path> files = files_of(kData / "methods", ".json");
   const std::string bytes = "[]{},:\"\\/.0123456789-+eE*^()# \n\tsqrtxnul\xC3\xA4";
   int read = 0, refused = 0;
   for (int round = 0; round < 3000; ++round) {

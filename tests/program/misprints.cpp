@@ -13,7 +13,7 @@ using namespace shortfall;
 
 namespace {
 
-const std::string kFolder = std::string(SHORTFALL_SOURCE_DIR) + "/tests/data/misprints/";
+const std::string kMisprints = std::string(SHORTFALL_SOURCE_DIR) + "/tests/data/misprints/";
 
 /// The entry that "A[3][2]" or "bhat[4]" names.
 const TableauEntry& entry(const TableauFile& file, const std::string& where) {
@@ -35,7 +35,7 @@ const TableauEntry& entry(const TableauFile& file, const std::string& where) {
 }  // namespace
 
 TEST_CASE("every planted misprint is read, and the wrong entry is the one that is named") {
-  const Source list("misprints.json", file_text(kFolder + "misprints.json"));
+  const Source list("misprints.json", file_text(kMisprints + "misprints.json"));
   const JsonValue misprints = json_value(list);
   int tableaus = 0, integrators = 0, published = 0;
   for (const JsonValue& misprint : misprints.items) {
@@ -43,11 +43,11 @@ TEST_CASE("every planted misprint is read, and the wrong entry is the one that i
     CAPTURE(name);
     published += misprint.find("published") != nullptr;
     if (name.ends_with(".integrator")) {
-      CHECK_NOTHROW(parse_file(kFolder + name));
+      CHECK_NOTHROW(parse_file(kMisprints + name));
       ++integrators;
       continue;
     }
-    const TableauFile file = parse_tableau_file(kFolder + name);
+    const TableauFile file = parse_tableau_file(kMisprints + name);
     CHECK(file.claims.order.has_value());
     for (const JsonValue& mend : misprint.find("mend")->items)
       if (const JsonValue* where = mend.find("entry"))

@@ -61,7 +61,7 @@ std::vector<std::string> with_a_pair_less(const std::string& text) {
   return results;
 }
 
-Program with_step(const std::string& value) {
+Program with_value(const std::string& value) {
   return parse(
       "integrator one\n param p = 0.3\n param d : L = 1.25\n param q = p/2\nstep\n x = " + value + "\n",
       "one.integrator");
@@ -157,7 +157,7 @@ TEST_CASE("no pair of parentheses that is printed could be left out") {
     const std::string text = print_decimals(value);
     for (const std::string& less : with_a_pair_less(text)) {
       try {
-        RC_ASSERT_FALSE(same(with_step(less).step[0].value, value));
+        RC_ASSERT_FALSE(same(with_value(less).step[0].value, value));
       } catch (const SyntaxError&) {
       }
     }
@@ -189,7 +189,7 @@ TEST_CASE("numbers of a program stay what they were") {
   for (const char* number : {"0.1", "2.5", "1e-3", "1e-400", "3e200", "0.30", "123456789.125", "1e-45", "7",
                              "1/3", "(1/3)", "-0.1"}) {
     CAPTURE(number);
-    const Program program = with_step("x + " + std::string(number) + "*h*v");
+    const Program program = with_value("x + " + std::string(number) + "*h*v");
     CHECK(same(parse(print(program), "printed.integrator"), program));
   }
   CHECK(print_decimals(number(Rational::parse("0.1"))) == "0.1");

@@ -10,21 +10,15 @@
 #include "analysis/program/print.hpp"
 #include "analysis/program/run.hpp"
 #include "analysis/program/transform.hpp"
+#include "tests/program/written_program.hpp"
 
 using namespace shortfall;
+using testing::after, testing::read, testing::with_step;
 
 namespace {
 
-Program read(const std::string& head, const std::string& blocks) {
-  return parse("integrator test\n" + head + "\n" + blocks + "\n", "test.integrator");
-}
-
-Program with_step(const std::string& step, const std::string& head = "") {
-  return read(head, "step\n" + step);
-}
-
 /// What a user reads; "" when the file is accepted.
-std::string complaint(const std::string& head, const std::string& blocks = "step\n  x = x + h*v") {
+std::string first_complaint(const std::string& head, const std::string& blocks = "step\n  x = x + h*v") {
   try {
     read(head, blocks);
     return "";
@@ -32,19 +26,6 @@ std::string complaint(const std::string& head, const std::string& blocks = "step
     const std::string what = e.what();
     return what.substr(0, what.find('\n'));
   }
-}
-
-/// x and v after so many steps from x = 1, v = 2, under a = -x - v/2 + t.
-template <class T>
-std::pair<T, T> after(const Program& program, int steps, const T& h, const Values& values = {},
-                      T impulse = T(0)) {
-  const Tape tape = lower(program, values);
-  Numbers<T> problem{[](const T& x, const T& v, const T& t) { return T(t - x - v / T(2)); }};
-  Run<Numbers<T>> run(tape, problem, h);
-  run.begin(T(1), T(2), T(0));
-  if (tape.impulse >= 0) run.give_impulse(impulse);
-  for (int n = 0; n < steps; ++n) run.step();
-  return run.read_out();
 }
 
 /// At which step a limit first acted, or a `when` did not hold; 0 when never.
@@ -127,7 +108,7 @@ TEST_CASE("an irrational coefficient is rounded once, and has no value in ration
 
 TEST_CASE("functions are those of the C library, and exact where they can be") {
   // exp takes a number without dimension.
-  CHECK(complaint("  param c : 1 = 0.3", "step\n  v = v*exp(-c*h)\n  x = x + h*v") ==
+  CHECK(first_complaint("  param c : 1 = 0.3", "step\n  v = v*exp(-c*h)\n  x = x + h*v") ==
         "test.integrator:4:13: exp takes a number without dimension; found scalar [T]");
   const Program q = with_step("  v = v*pow(1 - c, h)*exp(-c*d*h)\n  x = x + max(h, 0*h)*v",
                               "  param c = 0.3\n  param d : 1/T = 2");
@@ -183,40 +164,42 @@ TEST_CASE("limits act where they stand, and a run tells when they first did") {
 }
 
 TEST_CASE("mistakes in the second half are pointed at") {
-  CHECK(complaint("  root r of r^2 = -1") ==
+  CHECK(first_complaint("  root r of r^2 = -1") ==
         "test.integrator:2:8: the equation of the root 'r' has no real solution");
-  CHECK(complaint("  root r of r^2 = 2")
+  CHECK(first_complaint("  root r of r^2 = 2")
             .starts_with("test.integrator:2:8: the equation of the root 'r' has 2 real solutions, -1.4142, "
                          "1.4142; say which with: near"));
-  CHECK(complaint("  root r of r^13 = 2").find("a whole number from 0 to 12") != std::string::npos);
-  CHECK(complaint("  root r of q^2 = 2 near 1").find("is made of numbers and 'r'; found 'q'") !=
+  CHECK(first_complaint("  root r of r^13 = 2").find("a whole number from 0 to 12") != std::string::npos);
+  CHECK(first_complaint("  root r of q^2 = 2 near 1").find("is made of numbers and 'r'; found 'q'") !=
         std::string::npos);
-  CHECK(complaint("  root h of h^3 = 2").find("'h' has a meaning of its own") != std::string::npos);
-  CHECK(complaint("  approx w = 2").find("the number is exact") != std::string::npos);
-  CHECK(complaint("  impulse j : L").find("is a velocity, L/T, not L") != std::string::npos);
-  CHECK(complaint("  impulse j : L/T\n  impulse k : L/T").find("there is already an impulse, 'j'") !=
+  CHECK(first_complaint("  root h of h^3 = 2").find("'h' has a meaning of its own") != std::string::npos);
+  CHECK(first_complaint("  approx w = 2").find("the number is exact") != std::string::npos);
+  CHECK(first_complaint("  impulse j : L").find("is a velocity, L/T, not L") != std::string::npos);
+  CHECK(first_complaint("  impulse j : L/T\n  impulse k : L/T").find("there is already an impulse, 'j'") !=
         std::string::npos);
-  CHECK(complaint("  hold x").find("hold a") != std::string::npos);
-  CHECK(complaint("  assume h").find("an assumption compares two values") != std::string::npos);
-  CHECK(complaint("  assume h > 1").find("compares like with like") != std::string::npos);
-  CHECK(complaint("  solves x").find("the equation is a vector [L T^-2], found a vector [L]") !=
+  CHECK(first_complaint("  hold x").find("hold a") != std::string::npos);
+  CHECK(first_complaint("  assume h").find("an assumption compares two values") != std::string::npos);
+  CHECK(first_complaint("  assume h > 1").find("compares like with like") != std::string::npos);
+  CHECK(first_complaint("  solves x").find("the equation is a vector [L T^-2], found a vector [L]") !=
         std::string::npos);
-  CHECK(complaint("", "step\n  limit speed -1\n  x = x + h*v").find("a speed above 0") != std::string::npos);
-  CHECK(complaint("", "step\n  limit spin 1\n  x = x + h*v").find("the speed or the move") !=
+  CHECK(first_complaint("", "step\n  limit speed -1\n  x = x + h*v").find("a speed above 0") !=
         std::string::npos);
-  CHECK(complaint("", "step\n  when speed > 1 {\n    q = v\n  }\n  x = x + h*q").find("within when only") !=
+  CHECK(first_complaint("", "step\n  limit spin 1\n  x = x + h*v").find("the speed or the move") !=
         std::string::npos);
-  CHECK(complaint("", "step\n  when speed > 1 {\n  x = x + h*v").find("this when { is never closed") !=
+  CHECK(first_complaint("", "step\n  when speed > 1 {\n    q = v\n  }\n  x = x + h*q")
+            .find("within when only") != std::string::npos);
+  CHECK(first_complaint("", "step\n  when speed > 1 {\n  x = x + h*v").find("this when { is never closed") !=
         std::string::npos);
-  CHECK(complaint("", "splitting\n  push 1").find("a splitting holds rows such as") != std::string::npos);
-  CHECK(complaint("", "splitting\n  kick h").find("a weight is made of numbers") != std::string::npos);
-  CHECK(complaint("", "splitting\n").find("has no rows") != std::string::npos);
-  CHECK(complaint("", "splitting\n  drift 1\nstep\n  x = x + h*v").find("a step or a splitting, not both") !=
+  CHECK(first_complaint("", "splitting\n  push 1").find("a splitting holds rows such as") !=
         std::string::npos);
-  CHECK(complaint("  impulse j : L/T", "start\n  v = v + j\nstep\n  x = x + h*v")
+  CHECK(first_complaint("", "splitting\n  kick h").find("a weight is made of numbers") != std::string::npos);
+  CHECK(first_complaint("", "splitting\n").find("has no rows") != std::string::npos);
+  CHECK(first_complaint("", "splitting\n  drift 1\nstep\n  x = x + h*v")
+            .find("a step or a splitting, not both") != std::string::npos);
+  CHECK(first_complaint("  impulse j : L/T", "start\n  v = v + j\nstep\n  x = x + h*v")
             .find("acts in the step block only") != std::string::npos);
-  CHECK(complaint("", "step\n  x = x + h*v\nexpect\n  limit 2*h").find("a limit is a number") !=
+  CHECK(first_complaint("", "step\n  x = x + h*v\nexpect\n  limit 2*h").find("a limit is a number") !=
         std::string::npos);
-  CHECK(complaint("", "step\n  x = x + h*v*log(2)").find("there are sqrt, exp, pow, max, min") !=
+  CHECK(first_complaint("", "step\n  x = x + h*v*log(2)").find("there are sqrt, exp, pow, max, min") !=
         std::string::npos);
 }

@@ -7,20 +7,11 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/catalogue.hpp"
+#include "tests/program/find_refusal.hpp"
 
 using namespace shortfall;
 
-namespace {
-
-std::string refusal(const std::string& word) {
-  try {
-    return "found " + find_integrator(word).name;
-  } catch (const Error& e) {
-    return e.what();
-  }
-}
-
-}  // namespace
+using testing::refusal;
 
 TEST_CASE("the source of every engine names its version, and each is found with it") {
   for (const Program& p : catalogue()) {

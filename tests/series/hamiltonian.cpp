@@ -14,7 +14,7 @@ using namespace shortfall;
 
 namespace {
 
-constexpr int kDigits = 80;
+constexpr int kEnergyDigits = 80;
 
 std::string terms(const std::string& integrator, int power) {
   std::string text;
@@ -24,7 +24,7 @@ std::string terms(const std::string& integrator, int power) {
   return text;
 }
 
-Real rounded(const Rational& r) { return real(r, kDigits); }
+Real rounded(const Rational& r) { return real(r, kEnergyDigits); }
 
 /// The derivatives of V = x^2/2 + x^3/3 - x^4/5 at x.
 std::vector<Real> potential(const Real& x) {
@@ -92,7 +92,7 @@ TEST_CASE("methods known by their digits have no terms that are zero as far as t
 }
 
 TEST_CASE("a step changes the modified energy by h^(order + 1) only, at 80 digits") {
-  const Precision precision(kDigits);
+  const Precision precision(kEnergyDigits);
   for (const char* name : {"symplectic-euler", "symplectic-euler-drift-kick", "velocity-verlet",
                            "position-verlet", "implicit-midpoint", "stoermer-verlet", "ruth3", "forest-ruth"})
     for (int order : {3, 4, 6}) {

@@ -10,18 +10,17 @@
 #include "analysis/problems/numbers.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/run.hpp"
+#include "tests/series/sixty_digits.hpp"
 
 using namespace shortfall;
+using testing::kDigits, testing::sixty_digits;
 
 namespace {
 
-constexpr int kDigits = 60;
-
 /// By how much one step, after a first one, changes v^2/2 + x^2/2 + x^3/3 - x^4/5.
 Real energy_error(const SeriesSource& source, const Rational& h) {
-  const auto rounded = [](const Rational& r) { return real(r, kDigits); };
   Numbers<Real> problem;
-  problem.round = rounded;
+  problem.round = sixty_digits;
   problem.force = [](const Real& x, const Real&, const Real&) -> Real {
     return -x - x * x + 4 * x * x * x / 5;
   };
@@ -29,8 +28,8 @@ Real energy_error(const SeriesSource& source, const Rational& h) {
     const auto& [x, v] = s;
     return v * v / 2 + x * x / 2 + x * x * x / 3 - x * x * x * x / 5;
   };
-  Run<Numbers<Real>> run(source.tape(), problem, rounded(h));
-  run.begin(rounded(Rational(1, 3)), rounded(Rational(2, 5)), rounded(0));
+  Run<Numbers<Real>> run(source.tape(), problem, sixty_digits(h));
+  run.begin(sixty_digits(Rational(1, 3)), sixty_digits(Rational(2, 5)), sixty_digits(0));
   run.step();
   const Real before = energy(run.read_out());
   run.step();

@@ -26,7 +26,7 @@ std::string terms(const ModifiedEquation& m, int power, const std::string& compo
   return text;
 }
 
-struct Random {
+struct RandomRational {
   std::mt19937 generator;
   Rational operator()() {
     return {std::uniform_int_distribution<int>(-4, 4)(generator),
@@ -34,7 +34,7 @@ struct Random {
   }
 };
 
-ButcherTableau<Rational> random_explicit(Random& random, std::size_t stages) {
+ButcherTableau<Rational> random_explicit(RandomRational& random, std::size_t stages) {
   ButcherTableau<Rational> t;
   Rational last = 1;
   for (std::size_t i = 0; i < stages; ++i) {
@@ -47,7 +47,7 @@ ButcherTableau<Rational> random_explicit(Random& random, std::size_t stages) {
   return t;
 }
 
-PlaneField::Vector random_field(Random& random) {
+PlaneField::Vector random_field(RandomRational& random) {
   const Polynomial x = Polynomial::letter(0), y = Polynomial::letter(1);
   PlaneField::Vector f;
   for (Polynomial& p : f)
@@ -132,7 +132,7 @@ TEST_CASE("implicit midpoint: f + h^2 (1/12 f'f'f - 1/24 f''(f,f)), Hairer, Lubi
 }
 
 TEST_CASE("the flow of the modified equation is the step, on random polynomial fields of the plane") {
-  Random random{std::mt19937(7)};
+  RandomRational random{std::mt19937(7)};
   const TreeTable table(Signature::first_order(), kOrder);
   for (int repeat = 0; repeat < 12; ++repeat) {
     const ButcherTableau<Rational> tableau =
@@ -151,7 +151,7 @@ TEST_CASE("the flow of the modified equation is the step, on random polynomial f
 
 TEST_CASE(
     "given the modifying equation, the step is the exact flow, on random polynomial fields of the plane") {
-  Random random{std::mt19937(8)};
+  RandomRational random{std::mt19937(8)};
   const TreeTable table(Signature::first_order(), kOrder);
   const Polynomial h = Polynomial::letter(PlaneField::kStep);
   for (int repeat = 0; repeat < 6; ++repeat) {

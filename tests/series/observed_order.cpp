@@ -10,14 +10,12 @@
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/run.hpp"
 #include "analysis/series/order.hpp"
+#include "tests/series/sixty_digits.hpp"
 
 using namespace shortfall;
+using testing::kDigits, testing::sixty_digits;
 
 namespace {
-
-constexpr int kDigits = 60;
-
-Real exactly(const Rational& r) { return real(r, kDigits); }
 
 struct Problem {
   const char* name;
@@ -42,11 +40,11 @@ const std::vector<Problem>& problems() {
 
 std::pair<Real, Real> arrived(const Program& program, const Problem& problem, int steps) {
   Numbers<Real> numbers;
-  numbers.round = exactly;
+  numbers.round = sixty_digits;
   numbers.force = problem.force;
   const Tape tape = lower(program, parameter_values(program));
-  Run<Numbers<Real>> run(tape, numbers, exactly(Rational(1, 2 * steps)));
-  run.begin(exactly(Rational(5, 4)), exactly(Rational(-1, 3)), exactly(0));
+  Run<Numbers<Real>> run(tape, numbers, sixty_digits(Rational(1, 2 * steps)));
+  run.begin(sixty_digits(Rational(5, 4)), sixty_digits(Rational(-1, 3)), sixty_digits(0));
   for (int n = 0; n < steps; ++n) run.step();
   return run.read_out();
 }
@@ -57,7 +55,7 @@ double observed(const Program& program, const Problem& problem, int steps) {
   const auto size = [](const auto& p, const auto& q) {
     return Real(abs(Real(p.first - q.first)) + abs(Real(p.second - q.second)));
   };
-  return static_cast<double>(Real(log(Real(size(a, b) / size(b, c))) / log(exactly(2))));
+  return static_cast<double>(Real(log(Real(size(a, b) / size(b, c))) / log(sixty_digits(2))));
 }
 
 }  // namespace

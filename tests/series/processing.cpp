@@ -13,19 +13,17 @@
 #include "analysis/series/conjugation.hpp"
 #include "analysis/series/differential.hpp"
 #include "analysis/series/twin.hpp"
+#include "tests/series/sixty_digits.hpp"
 
 using namespace shortfall;
+using testing::kDigits, testing::sixty_digits;
 
 namespace {
-
-constexpr int kDigits = 60;
-
-Real rounded(const Rational& r) { return real(r, kDigits); }
 
 /// x'' = a(x, t) = -x - x^3/2 + t x/3 + 1/5: neither linear nor autonomous.
 struct Oscillator {
   static Real a(const Real& x, const Real& t) {
-    return -x - x * x * x / 2 + t * x / 3 + rounded(Rational(1, 5));
+    return -x - x * x * x / 2 + t * x / 3 + sixty_digits(Rational(1, 5));
   }
   static Real a_x(const Real& x, const Real& t) { return -1 - 3 * x * x / 2 + t / 3; }
   static Real a_t(const Real& x) { return x / 3; }
@@ -47,7 +45,7 @@ Real differential(const std::string& name, const State& s) {
 State changed(const State& s, const std::vector<FieldTerm>& terms, const Real& h) {
   State result = s;
   for (const FieldTerm& t : terms) {
-    Real value = rounded(t.coefficient.constant()) * differential(t.differential, s);
+    Real value = sixty_digits(t.coefficient.constant()) * differential(t.differential, s);
     for (int k = 0; k < t.power; ++k) value *= h;
     (t.component == "x" ? result.x : result.v) += value;
   }
@@ -56,14 +54,14 @@ State changed(const State& s, const std::vector<FieldTerm>& terms, const Real& h
 
 /// Where x and v are at t = 1, launched, stepped and read out.
 State arrived(const Program& program, const Processing& kit, int steps) {
-  const Real h = rounded(1) / steps;
+  const Real h = sixty_digits(1) / steps;
   Numbers<Real> problem;
-  problem.round = rounded;
+  problem.round = sixty_digits;
   problem.force = [&](const Real& x, const Real&, const Real& t) {
-    const State here{x, rounded(0), t};
+    const State here{x, sixty_digits(0), t};
     Real a = Oscillator::a(x, t);
     for (const FieldTerm& term : kit.force) {
-      Real value = rounded(term.coefficient.constant()) * differential(term.differential, here);
+      Real value = sixty_digits(term.coefficient.constant()) * differential(term.differential, here);
       for (int k = 0; k < term.power; ++k) value *= h;
       a += value;
     }
@@ -71,11 +69,12 @@ State arrived(const Program& program, const Processing& kit, int steps) {
   };
   const Tape tape = lower(program);
   Run<Numbers<Real>> run(tape, problem, h);
-  const State s = changed({rounded(Rational(3, 4)), rounded(Rational(-1, 2)), rounded(0)}, kit.launch, h);
+  const State s =
+      changed({sixty_digits(Rational(3, 4)), sixty_digits(Rational(-1, 2)), sixty_digits(0)}, kit.launch, h);
   run.begin(s.x, s.v, s.t);
   for (int n = 0; n < steps; ++n) run.step();
   const auto [x, v] = run.read_out();
-  return changed({x, v, rounded(1)}, kit.read_out, h);
+  return changed({x, v, sixty_digits(1)}, kit.read_out, h);
 }
 
 double observed_order(const std::string& integrator, const Processing& kit) {
@@ -85,7 +84,7 @@ double observed_order(const std::string& integrator, const Processing& kit) {
   const auto size = [](const State& p, const State& q) {
     return Real(abs(Real(p.x - q.x)) + abs(Real(p.v - q.v)));
   };
-  return static_cast<double>(Real(log(Real(size(a, b) / size(b, c))) / log(rounded(2))));
+  return static_cast<double>(Real(log(Real(size(a, b) / size(b, c))) / log(sixty_digits(2))));
 }
 
 Processing kit_for(const std::string& integrator, const char* forces, int order, bool correct_force) {

@@ -10,12 +10,14 @@
 #include "analysis/series/separable_order.hpp"
 #include "analysis/series/splitting_reading.hpp"
 #include "tests/series/random_splitting.hpp"
+#include "tests/series/sixty_digits.hpp"
 
 using namespace shortfall;
+using testing::kDigits, testing::sixty_digits;
 
 namespace {
 
-constexpr int kHighest = 7, kDigits = 60;
+constexpr int kHighest = 7;
 
 /// The last degree up to which the logarithm of the step is A + B.
 template <class Field>
@@ -41,8 +43,8 @@ Real digits(const std::string& decimal) { return Real(decimal); }
 
 /// Where q' = p + p^3/3, p' = -q + q^2/3 - q^3/2 arrives at time 1/2.
 std::pair<Real, Real> arrived(const std::vector<std::pair<bool, Real>>& parts, int steps) {
-  const Real h = real(Rational(1, 2 * steps), kDigits);
-  Real q = real(Rational(5, 4), kDigits), p = real(Rational(-1, 3), kDigits);
+  const Real h = sixty_digits(Rational(1, 2 * steps));
+  Real q = sixty_digits(Rational(5, 4)), p = sixty_digits(Rational(-1, 3));
   for (int n = 0; n < steps; ++n)
     for (const auto& [kick, weight] : parts)
       if (kick)

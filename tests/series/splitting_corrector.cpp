@@ -21,7 +21,7 @@ bool agrees(const Surd& number, const std::string& decimal) {
   return difference.abs() <= Surd(Rational(1, 10).pow(static_cast<int>(places)));
 }
 
-const SplittingParts<Surd> kDriftKickDrift{{false, Rational(1, 2)}, {true, 1}, {false, Rational(1, 2)}};
+const SplittingParts<Surd> kPositionVerlet{{false, Rational(1, 2)}, {true, 1}, {false, Rational(1, 2)}};
 
 }  // namespace
 
@@ -74,7 +74,7 @@ TEST_CASE("all correctors agree with Wisdom's coefficients as WHFast publishes t
 TEST_CASE("launched and read out with it, the error linear in the kick begins with h^(2 stages + 2)") {
   for (const int stages : {1, 2, 3, 5, 8}) {
     const SplittingParts<Surd> p = symplectic_corrector(stages).parts();
-    const auto processed = composed(composed(p, kDriftKickDrift), inverse(p));
+    const auto processed = composed(composed(p, kPositionVerlet), inverse(p));
     const auto first = first_order_in_kick(processed, 2 * stages + 3);
     CHECK(first.drift == Surd(1));
     CHECK(first.logarithm[0] == Surd(1));
@@ -87,7 +87,7 @@ TEST_CASE("the same in the free Lie algebra: [A,[A,..[A,B]]] vanishes to degree 
   for (const int stages : {1, 2}) {
     const SplittingParts<Surd> p = symplectic_corrector(stages).parts();
     const int degree = 2 * stages + 3;
-    const auto z = splitting_logarithm(composed(composed(p, kDriftKickDrift), inverse(p)), degree);
+    const auto z = splitting_logarithm(composed(composed(p, kPositionVerlet), inverse(p)), degree);
     for (int d = 2; d < degree; ++d) CHECK(z.at(d, 0).is_zero());
     CHECK_FALSE(z.at(degree, 0).is_zero());
     CHECK(word_series(composed(p, inverse(p)), degree) == WordSeries<Surd>(degree));
@@ -108,7 +108,7 @@ TEST_CASE("what is of first order in the kick is the first row of the free Lie a
 TEST_CASE("another alpha gives another corrector of the same order") {
   const SymplecticCorrector corrector = symplectic_corrector(2, Rational(1, 9));
   const auto p = corrector.parts();
-  const auto first = first_order_in_kick(composed(composed(p, kDriftKickDrift), inverse(p)), 7);
+  const auto first = first_order_in_kick(composed(composed(p, kPositionVerlet), inverse(p)), 7);
   for (std::size_t k = 1; k < 6; ++k) CHECK(first.logarithm[k].is_zero());
   CHECK_FALSE(first.logarithm[6].is_zero());
 }

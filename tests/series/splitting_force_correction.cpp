@@ -5,19 +5,13 @@
 
 #include "analysis/algebra/linear_solve.hpp"
 #include "tests/algebra/polynomial_field.hpp"
+#include "tests/series/known_splittings.hpp"
 #include "tests/series/random_splitting.hpp"
 
 using namespace shortfall;
+using testing::kDriftKickDrift, testing::kKickDrift, testing::kKickDriftKick;
 using Element = LieElement<Rational>;
 using Parts = SplittingParts<Rational>;
-
-namespace {
-
-const Parts kKickDrift{{true, 1}, {false, 1}};
-const Parts kKickDriftKick{{true, Rational(1, 2)}, {false, 1}, {true, Rational(1, 2)}};
-const Parts kDriftKickDrift{{false, Rational(1, 2)}, {true, 1}, {false, Rational(1, 2)}};
-
-}  // namespace
 
 TEST_CASE("a~ = a + h^2/12 a_x[a] gives both Verlets and symplectic Euler the effective order 4") {
   for (const Parts& parts : {kKickDrift, kKickDriftKick, kDriftKickDrift}) {

@@ -5,18 +5,15 @@
 
 #include "analysis/algebra/word_series.hpp"
 #include "tests/algebra/polynomial_field.hpp"
+#include "tests/series/known_splittings.hpp"
 #include "tests/series/random_splitting.hpp"
 
 using namespace shortfall;
+using testing::kDriftKick, testing::kDriftKickDrift, testing::kKickDrift, testing::kKickDriftKick;
 using Element = LieElement<Rational>;
 using Parts = SplittingParts<Rational>;
 
 namespace {
-
-const Parts kKickDrift{{true, 1}, {false, 1}};
-const Parts kDriftKick{{false, 1}, {true, 1}};
-const Parts kKickDriftKick{{true, Rational(1, 2)}, {false, 1}, {true, Rational(1, 2)}};
-const Parts kDriftKickDrift{{false, Rational(1, 2)}, {true, 1}, {false, Rational(1, 2)}};
 
 SplittingProcessing<Rational> processed(const Parts& parts, int degree,
                                         VectorFields kind = VectorFields::any) {

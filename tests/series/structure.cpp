@@ -17,20 +17,20 @@ using testing::PlaneForce;
 
 namespace {
 
-constexpr int kOrder = 4;  // powers of h that are looked at in the plane
+constexpr int kPlaneOrder = 4;  // powers of h that are looked at in the plane
 
 Polynomial letter(Letter l) { return Polynomial::letter(l); }
 
 /// No term left out, so that no free tree vanishes.
-Polynomial potential() {
+Polynomial planar_potential() {
   const Polynomial x = letter(0), y = letter(1), s = x + Polynomial(Rational(2, 3)) * y;
   return Polynomial(Rational(1, 2)) * x * x + Polynomial(Rational(1, 3)) * x * y + y * y +
          Polynomial(Rational(1, 5)) * s * s * s + Polynomial(Rational(1, 7)) * x * x * y * y + x * y * y;
 }
 
 struct Plane {
-  Polynomial v = potential();
-  PlaneForce force{{Polynomial(0) - v.derivative(0), Polynomial(0) - v.derivative(1)}, kOrder};
+  Polynomial v = planar_potential();
+  PlaneForce force{{Polynomial(0) - v.derivative(0), Polynomial(0) - v.derivative(1)}, kPlaneOrder};
 
   /// x and v after a step of the length `h`, from where x and v are letters or what is given.
   std::array<Polynomial, 4> after(const SeriesSource& source, const Polynomial& h, PlaneForce::Vector x,
@@ -75,7 +75,7 @@ struct Plane {
 
 /// The lowest power of h in a polynomial; one more than all that are looked at for none.
 int lowest_power(const Polynomial& p) {
-  int lowest = kOrder + 1;
+  int lowest = kPlaneOrder + 1;
   for (const Polynomial::Term& term : p.terms())
     lowest = std::min(lowest, term.monomial.exponent(PlaneForce::kStep));
   return lowest;
@@ -117,9 +117,9 @@ TEST_CASE("the energy changes in a step with the power of h that the trees say, 
     CAPTURE(program.name);
     Plane plane;
     const SeriesSource source(program, {});
-    const EnergyChange found = energy_change(source, kOrder);
+    const EnergyChange found = energy_change(source, kPlaneOrder);
     const int seen = lowest_power(plane.energy_gained(plane.after(source)));
-    CHECK(seen == (found.order > 0 ? found.order : kOrder + 1));
+    CHECK(seen == (found.order > 0 ? found.order : kPlaneOrder + 1));
     changed += found.order > 0;
   }
   CHECK(changed >= 25);
@@ -146,12 +146,12 @@ TEST_CASE("what is called symplectic keeps areas in the plane, and nothing else 
     Plane plane;
     const SeriesSource source(program, {});
     const Property found = structure(source).symplectic;
-    int seen = kOrder + 1;
+    int seen = kPlaneOrder + 1;
     for (const Polynomial& p : plane.area_gained(plane.after(source))) seen = std::min(seen, lowest_power(p));
     if (found.holds())
-      CHECK(seen == kOrder + 1);
+      CHECK(seen == kPlaneOrder + 1);
     else
-      CHECK(seen == std::min(found.up_to, kOrder + 1));
+      CHECK(seen == std::min(found.up_to, kPlaneOrder + 1));
     (found.holds() ? kept : lost) += 1;
   }
   CHECK(kept >= 8);
@@ -167,15 +167,15 @@ TEST_CASE("what is called symmetric is undone by a step with -h in the plane, an
     const auto z = plane.after(source);
     const Polynomial back = Polynomial(0) - letter(PlaneForce::kStep);
     const auto again = plane.after(source, back, {{z[0], z[1]}}, {{z[2], z[3]}});
-    int seen = kOrder + 1;
+    int seen = kPlaneOrder + 1;
     for (Letter l = 0; l < 4; ++l)
       seen = std::min(seen, lowest_power(again[static_cast<std::size_t>(l)] - letter(l)));
     const Property found = structure(source).symmetric;
     // Refuted later than seen here: not at all in these powers.
-    if (found.holds() || found.up_to > kOrder)
-      CHECK(seen == kOrder + 1);
+    if (found.holds() || found.up_to > kPlaneOrder)
+      CHECK(seen == kPlaneOrder + 1);
     else
-      CHECK(seen <= kOrder);
+      CHECK(seen <= kPlaneOrder);
     (found.holds() ? symmetric : not_symmetric) += 1;
   }
   CHECK(symmetric >= 6);

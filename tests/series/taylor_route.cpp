@@ -16,14 +16,14 @@ using testing::PlaneForce;
 
 namespace {
 
-struct Random {
+struct RandomNumbers {
   std::mt19937 generator{11};
   int whole(int low, int high) { return std::uniform_int_distribution<int>(low, high)(generator); }
   std::string fraction() { return std::to_string(whole(-5, 5)) + "/" + std::to_string(whole(1, 4)); }
 };
 
 /// a(x, v, t) with products of everything.
-PlaneForce::Pair random_force(Random& random) {
+PlaneForce::Pair random_force(RandomNumbers& random) {
   const auto l = [](Letter letter) { return Polynomial::letter(letter); };
   const std::vector<Polynomial> pieces{
       l(0),        l(1),        l(2),        l(3),        l(4),        l(0) * l(1),       l(1) * l(2),
@@ -53,7 +53,7 @@ PlaneForce::Vector summed(const TreeTable& table, const TreeSeries<Rational>& se
 }
 
 /// Whether trees and Taylor series agree, all coefficients up to h^order.
-bool agrees(const Program& program, Random& random, int order, bool spoil = false) {
+bool agrees(const Program& program, RandomNumbers& random, int order, bool spoil = false) {
   const SeriesSource source(program, {});
   REQUIRE(source.rational());
   const TreeTable table(Signature::mechanical(true, true), order);
@@ -74,7 +74,7 @@ bool agrees(const Program& program, Random& random, int order, bool spoil = fals
          same(run.state(1), v + summed(table, step.map, 1, force));
 }
 
-std::string random_tableau(Random& random, bool implicit) {
+std::string random_tableau(RandomNumbers& random, bool implicit) {
   const int stages = random.whole(1, 3);
   std::string text = "integrator random-tableau\n  source nobody\n\ntableau\n";
   for (int i = 0; i < stages; ++i) {
@@ -92,7 +92,7 @@ std::string random_tableau(Random& random, bool implicit) {
   return text + " (" + last + ")\n";
 }
 
-std::string random_splitting(Random& random) {
+std::string random_splitting(RandomNumbers& random) {
   std::string text = "integrator random-splitting\n  source nobody\n\nsplitting\n", kicks = "1", drifts = "1";
   for (int i = random.whole(0, 2); i >= 0; --i) {
     const std::string k = random.fraction(), d = random.fraction();
@@ -107,7 +107,7 @@ std::string random_splitting(Random& random) {
 
 TEST_CASE(
     "the tree series of a step is the Taylor series of the step, for the catalogue and random methods") {
-  Random random;
+  RandomNumbers random;
   int compared = 0;
   for (const Program& program : catalogue()) {
     if (program.approximate() || !program.roots.empty()) continue;

@@ -7,9 +7,11 @@
 #include "analysis/program/catalogue.hpp"
 #include "analysis/stability/stability.hpp"
 #include "analysis/stability/windows_over.hpp"
+#include "tests/stability/oscillator_step.hpp"
 #include "tests/undamped_catalogue.hpp"
 
 using namespace shortfall;
+using testing::drift, testing::kick, testing::triple_jump, testing::verlet;
 
 namespace {
 
@@ -23,24 +25,7 @@ AlgebraicLetter root(Letter letter, int degree, int of) {
   return {letter, RealRoot(Univariate<Rational>(p), 1, of)};
 }
 
-Fraction y() { return Fraction::letter(kStiffness); }
-
 using Matrix = SquareMatrix<Fraction>;
-Matrix drift(const Fraction& c) { return {{1, c}, {0, 1}}; }
-Matrix kick(const Fraction& c) { return {{1, 0}, {-c * y(), 1}}; }
-/// x'' = -y x with h = 1: half a drift, a kick, half a drift.
-Matrix verlet(const Fraction& c) {
-  return product(drift(c / Fraction(2)), product(kick(c), drift(c / Fraction(2))));
-}
-/// The triple jump: c, 1 - 2 c, c times a step; c = 1/(2 - w).
-///
-/// source  Forest & Ruth (1990), Fourth-order symplectic integration, (4.9); Yoshida (1990), Construction of
-/// higher order symplectic integrators
-template <class Step>
-Matrix triple_jump(const Fraction& h, const Fraction& w, Step&& step) {
-  const Fraction c = h / (Fraction(2) - w);
-  return product(step(c), product(step(h - Fraction(2) * c), step(c)));
-}
 
 Amplification forest_ruth() {
   const Matrix m = triple_jump(1, Fraction::letter(kW), [](const Fraction& c) { return verlet(c); });

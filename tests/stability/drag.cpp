@@ -16,7 +16,7 @@ using namespace shortfall;
 
 namespace {
 
-Drag of(const char* name) {
+Drag drag_of(const char* name) {
   const Program p = find_integrator(name);
   return drag(amplification(p, parameter_values(p), Damping::viscous));
 }
@@ -35,7 +35,7 @@ double stepped_factor(const Program& p, double d) {
 }  // namespace
 
 TEST_CASE("symplectic Euler under drag: turns round from c h = 1 on, is lost beyond c h = 2") {
-  const Drag d = of("symplectic-euler");
+  const Drag d = drag_of("symplectic-euler");
   REQUIRE(d.factor);
   CHECK(*d.factor == Fraction(1) - Fraction::letter(kDamping));
   REQUIRE(d.reversals.size() == 1);
@@ -48,11 +48,11 @@ TEST_CASE("symplectic Euler under drag: turns round from c h = 1 on, is lost bey
 
 TEST_CASE(
     "implicit Euler never turns round and is never lost; the trapezoidal rule turns round from c h = 2 on") {
-  CHECK(of("implicit-euler").reversals.empty());
-  CHECK(of("implicit-euler").windows.always());
-  REQUIRE(of("trapezoidal").reversals.size() == 1);
-  CHECK(of("trapezoidal").reversals[0].from.rational() == Rational(2));
-  CHECK(of("trapezoidal").windows.always());
+  CHECK(drag_of("implicit-euler").reversals.empty());
+  CHECK(drag_of("implicit-euler").windows.always());
+  REQUIRE(drag_of("trapezoidal").reversals.size() == 1);
+  CHECK(drag_of("trapezoidal").reversals[0].from.rational() == Rational(2));
+  CHECK(drag_of("trapezoidal").windows.always());
 }
 
 TEST_CASE("the factor and its signs agree with one step of every integrator, in binary64") {

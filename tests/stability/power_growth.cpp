@@ -12,18 +12,18 @@ using namespace shortfall;
 
 namespace {
 
-using Matrix = SquareMatrix<Rational>;
+using RationalMatrix = SquareMatrix<Rational>;
 using Kind = PowerGrowth::Kind;
 
-Matrix zero(std::size_t size) { return Matrix(size, std::vector<Rational>(size)); }
+RationalMatrix zero(std::size_t size) { return RationalMatrix(size, std::vector<Rational>(size)); }
 
 /// Blocks along the diagonal.
-Matrix joined(const std::vector<Matrix>& blocks) {
+RationalMatrix joined(const std::vector<RationalMatrix>& blocks) {
   std::size_t size = 0;
-  for (const Matrix& b : blocks) size += b.size();
-  Matrix result = zero(size);
+  for (const RationalMatrix& b : blocks) size += b.size();
+  RationalMatrix result = zero(size);
   std::size_t at = 0;
-  for (const Matrix& b : blocks) {
+  for (const RationalMatrix& b : blocks) {
     for (std::size_t i = 0; i < b.size(); ++i)
       for (std::size_t j = 0; j < b.size(); ++j) result[at + i][at + j] = b[i][j];
     at += b.size();
@@ -31,8 +31,8 @@ Matrix joined(const std::vector<Matrix>& blocks) {
   return result;
 }
 
-Matrix jordan(const Rational& eigenvalue, std::size_t size) {
-  Matrix m = zero(size);
+RationalMatrix jordan(const Rational& eigenvalue, std::size_t size) {
+  RationalMatrix m = zero(size);
   for (std::size_t i = 0; i < size; ++i) {
     m[i][i] = eigenvalue;
     if (i + 1 < size) m[i][i + 1] = 1;
@@ -41,8 +41,8 @@ Matrix jordan(const Rational& eigenvalue, std::size_t size) {
 }
 
 /// Blocks of a rotation by the angle of (c, s), coupled as in a Jordan block: c^2 + s^2 = 1.
-Matrix rotations(const Rational& c, const Rational& s, std::size_t count) {
-  Matrix m = zero(2 * count);
+RationalMatrix rotations(const Rational& c, const Rational& s, std::size_t count) {
+  RationalMatrix m = zero(2 * count);
   for (std::size_t b = 0; b < count; ++b) {
     m[2 * b][2 * b] = m[2 * b + 1][2 * b + 1] = c;
     m[2 * b][2 * b + 1] = -s;
@@ -53,7 +53,7 @@ Matrix rotations(const Rational& c, const Rational& s, std::size_t count) {
 }
 
 /// The same map in random other coordinates.
-Matrix disguised(Matrix m) {
+RationalMatrix disguised(RationalMatrix m) {
   const int size = static_cast<int>(m.size());
   for (int k = 0; k < 2 * size && size > 1; ++k) {
     const auto i = static_cast<std::size_t>(*rc::gen::inRange(0, size));
@@ -69,7 +69,7 @@ Matrix disguised(Matrix m) {
 
 TEST_CASE("Jordan blocks of every kind are found again in random coordinates") {
   CHECK(rc::check([] {
-    std::vector<Matrix> blocks;
+    std::vector<RationalMatrix> blocks;
     int degree = 0, inside = 0, plus = 0, minus = 0, pairs = 0;
     bool outside = false, on_circle = false;
     for (int b = *rc::gen::inRange(1, 4); b > 0; --b) {
@@ -140,17 +140,17 @@ TEST_CASE("Jordan blocks of every kind are found again in random coordinates") {
 }
 
 TEST_CASE("a reciprocal pair of real eigenvalues is not on the circle") {
-  CHECK(power_growth(Matrix{{2, 0}, {0, Rational(1, 2)}}).kind == Kind::exponential);
-  CHECK(power_growth(Matrix{{3, -1}, {1, 0}}).kind == Kind::exponential);  // trace 3, determinant 1
-  CHECK(power_growth(Matrix{{-3, -1}, {1, 0}}).kind == Kind::exponential);
-  CHECK(power_growth(Matrix{{1, -1}, {1, 0}}).kind == Kind::bounded);  // sixth roots of unity
-  CHECK(power_growth(Matrix{{1, -1}, {1, 0}}).circle.front().cosine == Rational(1, 2));
+  CHECK(power_growth(RationalMatrix{{2, 0}, {0, Rational(1, 2)}}).kind == Kind::exponential);
+  CHECK(power_growth(RationalMatrix{{3, -1}, {1, 0}}).kind == Kind::exponential);  // trace 3, determinant 1
+  CHECK(power_growth(RationalMatrix{{-3, -1}, {1, 0}}).kind == Kind::exponential);
+  CHECK(power_growth(RationalMatrix{{1, -1}, {1, 0}}).kind == Kind::bounded);  // sixth roots of unity
+  CHECK(power_growth(RationalMatrix{{1, -1}, {1, 0}}).circle.front().cosine == Rational(1, 2));
 }
 
 TEST_CASE("Salem's number: a reciprocal polynomial with roots on the circle and one outside") {
   // source: Lehmer (1933): x^10 + x^9 - x^7 - x^6 - x^5 - x^4 - x^3 + x + 1, largest root 1.17628...
   const std::vector<Rational> lehmer{1, 1, 0, -1, -1, -1, -1, -1, 0, 1};
-  Matrix companion = zero(10);
+  RationalMatrix companion = zero(10);
   for (std::size_t i = 0; i < 10; ++i) {
     companion[9][i] = -lehmer[i];
     if (i < 9) companion[i][i + 1] = 1;

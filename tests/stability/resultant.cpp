@@ -10,10 +10,10 @@ using namespace shortfall;
 
 namespace {
 
-constexpr Letter kX = 0, kA = 1, kB = 2, kC = 3;
+constexpr Letter kVariable = 0, kA = 1, kB = 2, kC = 3;
 
-Polynomial x(int exponent = 1) { return Polynomial::letter(kX, exponent); }
-Polynomial letter(Letter l) { return Polynomial::letter(l); }
+Polynomial x(int exponent = 1) { return Polynomial::letter(kVariable, exponent); }
+Polynomial coefficient(Letter l) { return Polynomial::letter(l); }
 
 }  // namespace
 
@@ -30,25 +30,27 @@ TEST_CASE("the resultant is the product of all differences of roots: random") {
     Rational expected = 1;
     for (const Rational& r : of_p)
       for (const Rational& s : of_q) expected *= r - s;
-    RC_ASSERT(resultant(p, q, kX) == Polynomial(expected));
+    RC_ASSERT(resultant(p, q, kVariable) == Polynomial(expected));
   }));
 }
 
 TEST_CASE("resultants in letters: the discriminant of a quadratic, Sylvester's own example") {
   // p = a x^2 + b x + c: Res(p, p') = -a (b^2 - 4 a c).
-  const Polynomial p = letter(kA) * x(2) + letter(kB) * x() + letter(kC);
-  CHECK(multiple_root_condition(p, kX) ==
-        -letter(kA) * (letter(kB) * letter(kB) - Polynomial(4) * letter(kA) * letter(kC)));
+  const Polynomial p = coefficient(kA) * x(2) + coefficient(kB) * x() + coefficient(kC);
+  CHECK(multiple_root_condition(p, kVariable) ==
+        -coefficient(kA) *
+            (coefficient(kB) * coefficient(kB) - Polynomial(4) * coefficient(kA) * coefficient(kC)));
   // Where x^2 + a x + b and x - c have a common root.
-  CHECK(resultant(x(2) + letter(kA) * x() + letter(kB), x() - letter(kC), kX) ==
-        letter(kC) * letter(kC) + letter(kA) * letter(kC) + letter(kB));
+  CHECK(resultant(x(2) + coefficient(kA) * x() + coefficient(kB), x() - coefficient(kC), kVariable) ==
+        coefficient(kC) * coefficient(kC) + coefficient(kA) * coefficient(kC) + coefficient(kB));
 }
 
 TEST_CASE("resultants of products are products, and constants count with the other's degree") {
-  const Polynomial p = x(2) + letter(kA), q = x() * letter(kB) - Polynomial(1), r = x(3) - letter(kC);
-  CHECK(resultant(p * q, r, kX) == resultant(p, r, kX) * resultant(q, r, kX));
-  CHECK(resultant(Polynomial(3), r, kX) == Polynomial(27));
-  CHECK(resultant(r, Polynomial(3), kX) == Polynomial(27));
-  CHECK_THROWS_AS(resultant(Polynomial(), r, kX), Undefined);
-  CHECK(resultant(p * q, p * r, kX).is_zero());
+  const Polynomial p = x(2) + coefficient(kA), q = x() * coefficient(kB) - Polynomial(1),
+                   r = x(3) - coefficient(kC);
+  CHECK(resultant(p * q, r, kVariable) == resultant(p, r, kVariable) * resultant(q, r, kVariable));
+  CHECK(resultant(Polynomial(3), r, kVariable) == Polynomial(27));
+  CHECK(resultant(r, Polynomial(3), kVariable) == Polynomial(27));
+  CHECK_THROWS_AS(resultant(Polynomial(), r, kVariable), Undefined);
+  CHECK(resultant(p * q, p * r, kVariable).is_zero());
 }

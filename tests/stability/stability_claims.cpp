@@ -10,7 +10,7 @@ using namespace shortfall;
 namespace {
 
 const std::string kVerlet = "splitting\n  kick 1/2\n  drift 1\n  kick 1/2\n";
-const std::string kForestRuth =
+const std::string kForestRuthSplitting =
     "  root theta of 6*theta^3 - 12*theta^2 + 6*theta - 1 = 0\n"
     "splitting\n  drift theta/2\n  kick theta\n  drift (1 - theta)/2\n  kick 1 - 2*theta\n  drift (1 - "
     "theta)/2\n"
@@ -57,9 +57,9 @@ TEST_CASE("limits are exact numbers, decimals that agree, infinity or 0") {
 
 TEST_CASE("the limit of a method with a cube root agrees with the published digits") {
   // theory of splittings: Forest and Ruth (1990); the digits by bisection of |trace| = 2 with 40 digits.
-  CHECK(verdict(kForestRuth, "limit 1.573401947434540").holds);
-  CHECK_FALSE(verdict(kForestRuth, "limit 1.573401947434548").holds);
-  CHECK(verdict(kForestRuth, "determinant 1").holds);
+  CHECK(verdict(kForestRuthSplitting, "limit 1.573401947434540").holds);
+  CHECK_FALSE(verdict(kForestRuthSplitting, "limit 1.573401947434548").holds);
+  CHECK(verdict(kForestRuthSplitting, "determinant 1").holds);
 }
 
 TEST_CASE("all claims come in the order of the file") {

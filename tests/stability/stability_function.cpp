@@ -19,7 +19,7 @@ namespace {
 using Poly = Univariate<Rational>;
 
 /// P and Q of the catalogue's integrator.
-StabilityFunction of(const char* name) {
+StabilityFunction function_of(const char* name) {
   const auto r = stability_function(find_integrator(name));
   REQUIRE(r);
   return *r;
@@ -46,31 +46,32 @@ Poly rational(const Univariate<Algebraic>& p) {
 
 TEST_CASE("explicit methods of order s in s stages have the exponential's first terms") {
   // source: Hairer & Wanner (1996), IV.2, (2.12)
-  CHECK(rational(of("explicit-euler").numerator) == Poly({1, 1}));
+  CHECK(rational(function_of("explicit-euler").numerator) == Poly({1, 1}));
   for (const char* name : {"heun", "midpoint", "ralston"})
-    CHECK(rational(of(name).numerator) == Poly({1, 1, Rational(1, 2)}));
+    CHECK(rational(function_of(name).numerator) == Poly({1, 1, Rational(1, 2)}));
   for (const char* name : {"kutta3"})
-    CHECK(rational(of(name).numerator) == Poly({1, 1, Rational(1, 2), Rational(1, 6)}));
+    CHECK(rational(function_of(name).numerator) == Poly({1, 1, Rational(1, 2), Rational(1, 6)}));
   for (const char* name : {"rk4", "rk38"})
-    CHECK(rational(of(name).numerator) == Poly({1, 1, Rational(1, 2), Rational(1, 6), Rational(1, 24)}));
-  CHECK(rational(of("rk4").denominator) == Poly({1}));
+    CHECK(rational(function_of(name).numerator) ==
+          Poly({1, 1, Rational(1, 2), Rational(1, 6), Rational(1, 24)}));
+  CHECK(rational(function_of("rk4").denominator) == Poly({1}));
   // source: Hairer & Wanner (1996), IV.2, (2.14): the sixth-order term of Dormand and Prince's method is
   // z^6/600.
-  CHECK(rational(of("dormand-prince").numerator) ==
+  CHECK(rational(function_of("dormand-prince").numerator) ==
         Poly({1, 1, Rational(1, 2), Rational(1, 6), Rational(1, 24), Rational(1, 120), Rational(1, 600)}));
 }
 
 TEST_CASE("implicit methods of the literature") {
-  CHECK(rational(of("implicit-euler").denominator) == Poly({1, -1}));
+  CHECK(rational(function_of("implicit-euler").denominator) == Poly({1, -1}));
   for (const char* name : {"trapezoidal", "implicit-midpoint"}) {
-    CHECK(rational(of(name).numerator) == Poly({1, Rational(1, 2)}));
-    CHECK(rational(of(name).denominator) == Poly({1, Rational(-1, 2)}));
+    CHECK(rational(function_of(name).numerator) == Poly({1, Rational(1, 2)}));
+    CHECK(rational(function_of(name).denominator) == Poly({1, Rational(-1, 2)}));
   }
   // source: Hairer & Wanner (1996), IV.3, table 3.1: Pade's (1, 2)-approximation of the exponential.
-  CHECK(rational(of("radau-iia-3").numerator) == Poly({1, Rational(1, 3)}));
-  CHECK(rational(of("radau-iia-3").denominator) == Poly({1, Rational(-2, 3), Rational(1, 6)}));
+  CHECK(rational(function_of("radau-iia-3").numerator) == Poly({1, Rational(1, 3)}));
+  CHECK(rational(function_of("radau-iia-3").denominator) == Poly({1, Rational(-2, 3), Rational(1, 6)}));
   // SDIRK4: gamma = 1/4 five times.
-  CHECK(rational(of("sdirk4").denominator) ==
+  CHECK(rational(function_of("sdirk4").denominator) ==
         Poly({1, Rational(-5, 4), Rational(5, 8), Rational(-5, 32), Rational(5, 256), Rational(-1, 1024)}));
 }
 
@@ -90,7 +91,7 @@ TEST_CASE("A- and L-stability, and what is not") {
                         {"dormand-prince", false, false},
                         {"bogacki-shampine", false, false}}) {
     CAPTURE(c.name);
-    const StabilityFunction r = of(c.name);
+    const StabilityFunction r = function_of(c.name);
     const StabilityProperties p = stability_properties(r);
     CHECK(p.a_stable == c.a);
     CHECK(p.l_stable == c.l);
@@ -197,7 +198,7 @@ TEST_CASE("a step that is no tableau has a stability function only if it treats 
 
 TEST_CASE("limits on the real axis") {
   const auto limit = [](const char* name) {
-    const auto p = stability_properties(of(name));
+    const auto p = stability_properties(function_of(name));
     REQUIRE(p.real_axis.limit());
     return p.real_axis.limit()->at.decimal(12);
   };
@@ -206,7 +207,7 @@ TEST_CASE("limits on the real axis") {
   CHECK(limit("kutta3") == "2.512745326618");          // source: Hairer & Wanner (1996), IV.2: 2.51
   CHECK(limit("rk4") == "2.785293563405");             // 2.78
   CHECK(limit("dormand-prince") == "3.306567892635");  // 3.3
-  CHECK(stability_properties(of("implicit-euler")).real_axis.always());
+  CHECK(stability_properties(function_of("implicit-euler")).real_axis.always());
 }
 
 TEST_CASE("Routh's array agrees with the roots that a polynomial was made of: random") {

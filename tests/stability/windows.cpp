@@ -9,17 +9,15 @@
 #include "analysis/problems/letters.hpp"
 #include "analysis/program/parse.hpp"
 #include "analysis/stability/stability.hpp"
+#include "tests/stability/oscillator_step.hpp"
 
 using namespace shortfall;
+using testing::y;
 
 namespace {
 
-constexpr Letter kY = kStiffness;
-using Matrix = SquareMatrix<Fraction>;
-
-Fraction y() { return Fraction::letter(kY); }
-Windows of(const Fraction& trace, const Fraction& determinant) {
-  return bounded_windows({{0, 1}, {-determinant, trace}}, kY);
+Windows windows_of(const Fraction& trace, const Fraction& determinant) {
+  return bounded_windows({{0, 1}, {-determinant, trace}}, kStiffness);
 }
 
 // Omelyan, Mryglod & Folk (2002), Optimized Forest-Ruth- and Suzuki-like algorithms for integration of motion
@@ -93,11 +91,11 @@ TEST_CASE("PEFRL is stable up to 2.989449545906729..., and again further out") {
 
 TEST_CASE("a window with a hole of known shape: trace 2 - 8 y (1 - y)") {
   // |trace| <= 2 for 0 <= y <= 1 as 8 y (1 - y) <= 2 < 4, beyond y = 1 the trace is above 2.
-  const Windows one = of(Fraction(2) - Fraction(8) * y() * (Fraction(1) - y()), 1);
+  const Windows one = windows_of(Fraction(2) - Fraction(8) * y() * (Fraction(1) - y()), 1);
   REQUIRE(one.windows.size() == 1);
   CHECK(one.windows[0].to->at.rational() == Rational(1));
   // trace 2 - 20 y (1 - y): below -2 where y (1 - y) > 1/5: (5 -+ sqrt(5))/10.
-  const Windows two = of(Fraction(2) - Fraction(20) * y() * (Fraction(1) - y()), 1);
+  const Windows two = windows_of(Fraction(2) - Fraction(20) * y() * (Fraction(1) - y()), 1);
   REQUIRE(two.windows.size() == 2);
   CHECK(two.windows[0].to->at.decimal(20) == "0.27639320225002103036");
   CHECK(two.windows[1].from->at.decimal(20) == "0.72360679774997896964");
@@ -115,11 +113,11 @@ TEST_CASE("a diagonalisable matrix includes its edge, and touching 2 from inside
   // every t, t = infinity left out.
   const Fraction t = y(), c = (Fraction(1) - t * t) / (Fraction(1) + t * t),
                  s = Fraction(2) * t / (Fraction(1) + t * t);
-  const Windows rotation = bounded_windows({{c, -s}, {s, c}}, kY);
+  const Windows rotation = bounded_windows({{c, -s}, {s, c}}, kStiffness);
   CHECK(rotation.always());
   CHECK(rotation.windows[0].keeps);
   // trace 2 - y (4 - y)... touches -2 at y = 2 and comes back: (y - 2)^2 - 2.
-  const Windows touching = of((y() - Fraction(2)) * (y() - Fraction(2)) - Fraction(2), 1);
+  const Windows touching = windows_of((y() - Fraction(2)) * (y() - Fraction(2)) - Fraction(2), 1);
   REQUIRE(touching.windows.size() == 2);  // at y = 2 itself the companion matrix has a Jordan block
   CHECK(touching.windows[0].to->at.rational() == Rational(2));
   CHECK(touching.windows[1].from->at.rational() == Rational(2));
@@ -129,13 +127,13 @@ TEST_CASE("a diagonalisable matrix includes its edge, and touching 2 from inside
 TEST_CASE("stable at single values only") {
   // diag(1 + (y - 3)^2, 1/2): bounded exactly at y = 3.
   const Windows windows = bounded_windows(
-      {{Fraction(1) + (y() - Fraction(3)) * (y() - Fraction(3)), 0}, {0, Rational(1, 2)}}, kY);
+      {{Fraction(1) + (y() - Fraction(3)) * (y() - Fraction(3)), 0}, {0, Rational(1, 2)}}, kStiffness);
   REQUIRE(windows.windows.size() == 1);
   CHECK(windows.windows[0].is_point());
   CHECK(windows.windows[0].from->at.rational() == Rational(3));
   CHECK_FALSE(windows.from_zero());
   // A Jordan block whose coupling vanishes at y = 5: bounded only there.
-  const Windows block = bounded_windows({{1, y() - Fraction(5)}, {0, 1}}, kY);
+  const Windows block = bounded_windows({{1, y() - Fraction(5)}, {0, 1}}, kStiffness);
   REQUIRE(block.windows.size() == 1);
   CHECK(block.windows[0].is_point());
   CHECK(block.windows[0].from->at.rational() == Rational(5));
@@ -143,7 +141,7 @@ TEST_CASE("stable at single values only") {
 
 TEST_CASE("a pole ends a window") {
   // 1/(y - 1): inside the circle for |y - 1| > 1, that is for y > 2; no step exists at y = 1.
-  const Windows windows = bounded_windows({{Fraction(1) / (y() - Fraction(1))}}, kY);
+  const Windows windows = bounded_windows({{Fraction(1) / (y() - Fraction(1))}}, kStiffness);
   REQUIRE(windows.windows.size() == 1);
   CHECK(windows.windows[0].from->at.rational() == Rational(2));
   CHECK(windows.windows[0].from_included);
@@ -151,7 +149,7 @@ TEST_CASE("a pole ends a window") {
   // (y - 1)/(y - 1)^... a pole between two stable windows: 1/2 + 1/(1000 (y - 1)^2).
   const Fraction near =
       Fraction(Rational(1, 2)) + Fraction(1) / (Fraction(1000) * (y() - Fraction(1)) * (y() - Fraction(1)));
-  const Windows hole = bounded_windows({{near}}, kY);
+  const Windows hole = bounded_windows({{near}}, kStiffness);
   REQUIRE(hole.windows.size() == 2);
   CHECK(hole.windows[0].to->at.decimal(15) == "0.955278640450004");  // 1 - 1/sqrt(500)
   CHECK(hole.windows[1].from->at.decimal(15) == "1.044721359549996");
@@ -162,15 +160,15 @@ TEST_CASE("windows of random second-order steps agree with the roots of their ch
     const auto random_polynomial = [](int degree) {
       Polynomial p;
       for (int k = 0; k <= degree; ++k)
-        p += Polynomial(Rational(*rc::gen::inRange(-8, 9), 4)) * Polynomial::letter(kY, k);
+        p += Polynomial(Rational(*rc::gen::inRange(-8, 9), 4)) * Polynomial::letter(kStiffness, k);
       return p;
     };
     const Fraction trace(random_polynomial(2)), determinant(random_polynomial(1));
-    const Windows windows = of(trace, determinant);
+    const Windows windows = windows_of(trace, determinant);
     for (int i = 1; i < 40; ++i) {
       const Rational at(i, 7);
-      const double t = trace.evaluate({{kY, at}}).to_double(),
-                   d = determinant.evaluate({{kY, at}}).to_double();
+      const double t = trace.evaluate({{kStiffness, at}}).to_double(),
+                   d = determinant.evaluate({{kStiffness, at}}).to_double();
       // Both roots inside or on the circle: |d| <= 1 and |t| <= 1 + d; stay clear of the edges.
       const double margin = std::min(1 - std::abs(d), 1 + d - std::abs(t));
       const bool on_circle = determinant == Fraction(1);

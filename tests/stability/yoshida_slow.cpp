@@ -6,24 +6,12 @@
 
 #include "analysis/problems/letters.hpp"
 #include "analysis/stability/stability.hpp"
+#include "tests/stability/oscillator_step.hpp"
 
 using namespace shortfall;
+using testing::triple_jump, testing::verlet;
 
 namespace {
-
-using Matrix = SquareMatrix<Fraction>;
-
-Matrix verlet(const Fraction& c) {
-  const Matrix drift{{1, c / Fraction(2)}, {0, 1}}, kick{{1, 0}, {-c * Fraction::letter(kStiffness), 1}};
-  return product(drift, product(kick, drift));
-}
-
-/// c, 1 - 2 c, c times a step, c = 1/(2 - w).
-template <class Step>
-Matrix triple_jump(const Fraction& h, const Fraction& w, Step&& step) {
-  const Fraction c = h / (Fraction(2) - w);
-  return product(step(c), product(step(h - Fraction(2) * c), step(c)));
-}
 
 double trace_in_binary64(double z) {
   const double w = 1 / (2 - std::cbrt(2.0)), u = 1 / (2 - std::pow(2.0, 0.2));
@@ -45,7 +33,7 @@ TEST_CASE("a cube root and a fifth root at once: the triple jump of the triple j
   // source: Yoshida (1990), Construction of higher order symplectic integrators, Physics Letters A 150,
   // (3.9)-(3.13)
   constexpr Letter kW = kFirstParameter, kU = kFirstParameter + 1;
-  const Matrix m = triple_jump(1, Fraction::letter(kU), [](const Fraction& h) {
+  const SquareMatrix<Fraction> m = triple_jump(1, Fraction::letter(kU), [](const Fraction& h) {
     return triple_jump(h, Fraction::letter(kW), [](const Fraction& c) { return verlet(c); });
   });
   const AlgebraicLetter w{kW, RealRoot(Univariate<Rational>({-2, 0, 0, 1}), 1, 2)};

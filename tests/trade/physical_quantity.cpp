@@ -11,7 +11,7 @@ using namespace shortfall;
 
 namespace {
 
-std::string refusal(const std::string& text) {
+std::string quantity_refusal(const std::string& text) {
   try {
     physical_quantity(text);
   } catch (const BadInput& e) {
@@ -52,13 +52,13 @@ TEST_CASE("numbers with units are exact, in SI units") {
 }
 
 TEST_CASE("what is no quantity is refused in a sentence") {
-  CHECK(refusal("fast").find("not a number") != std::string::npos);
-  CHECK(refusal("3 metres").find("unknown unit 'metres'") != std::string::npos);
-  CHECK(refusal("3 m^").find("is no unit") != std::string::npos);
-  CHECK(refusal("3 m^77").find("is no unit") != std::string::npos);
-  CHECK(refusal("3 *m").find("is no unit") != std::string::npos);
-  CHECK(refusal("3 kh").find("did you mean") != std::string::npos);
-  CHECK(!refusal("").empty());
+  CHECK(quantity_refusal("fast").find("not a number") != std::string::npos);
+  CHECK(quantity_refusal("3 metres").find("unknown unit 'metres'") != std::string::npos);
+  CHECK(quantity_refusal("3 m^").find("is no unit") != std::string::npos);
+  CHECK(quantity_refusal("3 m^77").find("is no unit") != std::string::npos);
+  CHECK(quantity_refusal("3 *m").find("is no unit") != std::string::npos);
+  CHECK(quantity_refusal("3 kh").find("did you mean") != std::string::npos);
+  CHECK(!quantity_refusal("").empty());
   CHECK_THROWS_AS(physical_quantity("1/0 m"), Error);
 }
 

@@ -20,7 +20,7 @@ const std::string kGood =
     "kind = \"position\"\ntolerance = 1\n";
 
 /// "line:column what".
-std::string refusal(const std::string& text) {
+std::string scene_refusal(const std::string& text) {
   try {
     scene_of(text, "s.toml");
   } catch (const SyntaxError& e) {
@@ -139,7 +139,7 @@ TEST_CASE("bad scenes are refused with line, column and a sentence") {
   };
   for (const Wrong& w : all) {
     CAPTURE(w.text);
-    const std::string message = refusal(w.text);
+    const std::string message = scene_refusal(w.text);
     CAPTURE(message);
     CHECK(message != "accepted");
     CHECK(message.find(w.expected) != std::string::npos);
