@@ -27,7 +27,11 @@ std::string short_number(const Rational& value, bool rounded) {
 
 std::string stability_of(const EffectiveSpring& e) {
   if (!e.stable) return "at the edge of stability, undecided";
-  return *e.stable ? "stable" : "UNSTABLE: it explodes";
+  if (*e.stable) return "stable";
+  // One eigenvalue of size 1 twice.
+  const bool at_the_limit = (e.growth - Ball(1, e.growth.bits())).sign().value_or(0) == 0;
+  return at_the_limit ? "exactly at the limit, and UNSTABLE: its swings grow by the same amount each frame"
+                      : "UNSTABLE: it explodes";
 }
 
 std::string row(const char* what, const std::string& effective, const std::string& truth) {
@@ -84,8 +88,11 @@ std::string as_text(const SpringReport& r, const SpringReport& native, Style sty
       "\nThe same spring as engines do it themselves, implicitly: v := (v - h k x)/(1 + h c + h^2 k), x := x "
       "+ h v" +
       std::string(q.substeps > 1 ? ", h = dt/" + std::to_string(q.substeps) : "") + "\n  " +
-      stability_of(native.effective) + "; frequency " + near + optional_digits(native.effective.frequency) +
-      " Hz, damping ratio " + near + optional_digits(native.effective.damping_ratio) +
+      stability_of(native.effective) +
+      (native.effective.frequency
+           ? "; frequency " + near + digits_or_zero(*native.effective.frequency) + " Hz, damping ratio " +
+                 near + digits_or_zero(*native.effective.damping_ratio)
+           : "; no oscillation") +
       ", amplitude after 1 s " + near + digits_or_zero(native.effective.growth) + "\n";
   if (r.kit) {
     text += "\nGive it instead, and every frame is on the true motion\n";

@@ -30,11 +30,31 @@ Ball angle(const Ball& cosine, const Ball& sine) {
   return hull(a + rest - abs(rest), a + rest + abs(rest));
 }
 
-EffectiveSpring effective(const Ball& trace, const Ball& determinant, const Rational& h) {
+/// Trace and determinant of one frame where they are rational.
+struct ExactFrame {
+  Rational trace, determinant;
+
+  Rational discriminant() const { return trace * trace - Rational(4) * determinant; }
+  /// Both eigenvalues are in the unit circle or on it, there not twice in one place.
+  /// source  Jury (1964), Theory and Application of the z-Transform Method, chapter 3
+  bool stable() const {
+    return determinant.abs() <= 1 && trace.abs() <= Rational(1) + determinant &&
+           !(discriminant().is_zero() && trace.abs() == 2);
+  }
+};
+
+std::optional<ExactFrame> exact_frame(const LinearDerivation& d, const SpringQuestion& q) {
+  if (!d.map.extras.empty()) return std::nullopt;
+  const std::map<Letter, Rational> at{{kStepLetter, q.h}, {kStiffness, q.k}, {kDamping, q.c}};
+  return ExactFrame{d.trace->evaluate(at), d.determinant->evaluate(at)};
+}
+
+/// param   critical  known to have one eigenvalue twice, which no ball can tell
+EffectiveSpring effective(const Ball& trace, const Ball& determinant, const Rational& h, bool critical) {
   EffectiveSpring e{trace, determinant, false, {}, {}, {}, {}};
   const Ball one(1, kSpringBits), two(2, kSpringBits), step(h, kSpringBits);
   const Ball discriminant = trace * trace - Ball(4, kSpringBits) * determinant;
-  e.oscillates = discriminant.sign() == -1;
+  e.oscillates = !critical && discriminant.sign() == -1;
   if (e.oscillates) {
     const Ball size = sqrt(determinant);
     const Ball rate = -log(size) / step;
@@ -48,7 +68,10 @@ EffectiveSpring effective(const Ball& trace, const Ball& determinant, const Rati
     if (const auto sign = excess.sign()) e.stable = *sign <= 0;
     return e;
   }
-  const Ball root = sqrt(abs(discriminant));
+  if (!critical && !discriminant.sign())
+    throw Unable("whether the eigenvalues of one frame are real or complex is not decided by " +
+                 std::to_string(kSpringBits) + " bits: they are nearly equal");
+  const Ball root = critical ? Ball(0, kSpringBits) : sqrt(discriminant);
   const Ball larger = (abs(trace) + root) / two;
   e.growth = exp(log(larger) / step);
   if (const auto sign = (larger - one).sign()) e.stable = *sign < 0;
@@ -102,15 +125,19 @@ SpringReport spring_report(const Program& program, const SpringQuestion& q) {
   std::map<std::string, Ball> at{{"h", Ball(q.h, kSpringBits)},
                                  {d.map.letters[kStiffness], Ball(q.k, kSpringBits)},
                                  {d.map.letters[kDamping], Ball(q.c, kSpringBits)}};
-  report.effective = effective(ball_value(report.trace, at, kSpringBits),
-                               ball_value(report.determinant, at, kSpringBits), q.h);
+  const std::optional<ExactFrame> exact = exact_frame(d, q);
+  report.effective =
+      effective(ball_value(report.trace, at, kSpringBits), ball_value(report.determinant, at, kSpringBits),
+                q.h, exact && exact->discriminant().is_zero());
+  if (exact) report.effective.stable = exact->stable();
   // The damping that is meant: the user's, or the integrator's own, which may be a logarithm.
   const Ball k(q.k, kSpringBits), h(q.h, kSpringBits);
   const Fraction meant = d.force.own_c.value_or(Fraction(q.c));
   const Ball true_c = ball_value(meant, letter_balls(d.map.extras, kSpringBits), kSpringBits);
   const BallFlow flow =
       meant.is_constant() ? ball_flow(q.k, meant.constant(), q.h, kSpringBits) : ball_flow(k, true_c, h);
-  report.truth = effective(flow.cosine + flow.sine_rate, exp(-true_c * h), q.h);
+  const bool critical = meant.is_constant() && (meant * meant).constant() == Rational(4) * q.k;
+  report.truth = effective(flow.cosine + flow.sine_rate, exp(-true_c * h), q.h, critical);
   if (true_c.is_zero()) report.truth.stable = true;
   // An undamped step with determinant 1 exactly is as stable as its physics.
   if (d.determinant->is_one() && report.effective.oscillates) report.effective.stable = true;

@@ -145,6 +145,32 @@ TEST_CASE(
             .effective.stable == false);
 }
 
+TEST_CASE("a spring exactly at its limit, and one that is exactly critical") {
+  const auto of = [](const char* integrator, const Rational& k, const Rational& c, const Rational& h) {
+    return spring_report(find_integrator(integrator), {k, c, false, h, 1, false, {}});
+  };
+  // w h = 2: the eigenvalue -1 twice, and its one eigenvector; amplitudes grow by the same amount each frame.
+  for (const char* integrator : {"symplectic-euler", "velocity-verlet"}) {
+    const SpringReport limit = of(integrator, 10000, 0, Rational(1, 50));
+    CHECK_FALSE(limit.effective.oscillates);
+    CHECK(limit.effective.stable == false);
+    CHECK(limit.effective.growth.contains(1));
+    CHECK(limit.truth.oscillates);
+    CHECK(near(*limit.truth.frequency, 100 / (2 * std::acos(-1.0))));
+    CHECK(of(integrator, 9999, 0, Rational(1, 50)).effective.stable == true);
+    CHECK(of(integrator, 10001, 0, Rational(1, 50)).effective.stable == false);
+  }
+  // c = 2 w: the truth has one eigenvalue exp(-w h) twice.
+  const SpringReport critical = of("symplectic-euler", 1, 2, Rational(1, 2));
+  CHECK_FALSE(critical.truth.oscillates);
+  CHECK(critical.truth.stable == true);
+  CHECK(near(critical.truth.growth, std::exp(-1.0)));
+  CHECK(critical.effective.stable == true);
+  CHECK(near(critical.effective.growth, 0.5625));  // eigenvalues 0 and 3/4, two frames a second
+  // ... and with h = 1 the step has -1/2 +- sqrt(5)/2.
+  CHECK(of("symplectic-euler", 1, 2, 1).effective.stable == false);
+}
+
 TEST_CASE("the true spring of an engine that damps by a power has the logarithm as its damping") {
   SpringQuestion q;
   q.k = 40;
