@@ -52,6 +52,7 @@ int identify_by_dt(const IdentifyWords& o) {
   if (o.json) {
     nlohmann::ordered_json j = {{"schema", "shortfall.identify/1"},
                                 {"kind", "by-dt"},
+                                {"unit", unit},
                                 {"order", r.order},
                                 {"limit", r.limit},
                                 {"slope", r.slope},

@@ -42,8 +42,9 @@ std::string csv_decimal(const Surd& value);
 /// "frame 1", "frames 1 to 5": of a force that launches.
 std::string force_frames_text(int count);
 
-/// A binary32 number by the shortest decimal that reads back as itself, and in hexadecimal.
+/// A binary32 or binary64 number by the shortest decimal that reads back as itself, and in hexadecimal.
 std::string shortest(float value);
+std::string shortest(double value);
 std::string hexadecimal(float value);
 
 }  // namespace shortfall::cli

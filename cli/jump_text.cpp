@@ -236,6 +236,12 @@ std::string shortest(float value) {
   return {text, end};
 }
 
+std::string shortest(double value) {
+  char text[64];
+  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+  return {text, end};
+}
+
 std::string hexadecimal(float value) {
   char text[64];
   const auto end = std::to_chars(text, text + sizeof text, value, std::chars_format::hex).ptr;
