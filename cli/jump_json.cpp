@@ -52,7 +52,8 @@ Json limit(const std::optional<LimitMet>& met) {
   return {{"frame", met->frame},
           {"limit", met->text},
           {"best_frame",
-           {{"n", met->best_frame}, {"height", {{"format", "binary64"}, {"decimal", shortest(met->best_height)}}}}}};
+           {{"n", met->best_frame},
+            {"height", {{"format", "binary64"}, {"decimal", shortest(met->best_height)}}}}}};
 }
 
 Json binary32(float value) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The standard library and GMP, parsed once instead of once for each file: a sixth of the time of a build, as measured. It replaces
-// no #include: the tests' consumer compiles every public header without it.
+// The standard library and GMP, parsed once instead of once for each file: a sixth of the time of a build, as
+// measured. It replaces no #include: the tests' consumer compiles every public header without it.
 #pragma once
 
 #include <gmpxx.h>

@@ -52,8 +52,8 @@ Json as_json(const CertainNumber& n, int digits) {
 
 std::string as_text(const NumericMotion& m, const NumericQuestion& q, const std::string& integrator,
                     Style style) {
-  std::string text = integrator + ", x'' = " + print(m.acceleration, style) +
-                     ", from x0 = " + q.x0.str() + " m, v0 = " + q.v0.str() + " m/s\n";
+  std::string text = integrator + ", x'' = " + print(m.acceleration, style) + ", from x0 = " + q.x0.str() +
+                     " m, v0 = " + q.v0.str() + " m/s\n";
   if (q.force.k && q.force.k->sign() < 0)
     text += "k < 0: unstable physics, the true motion itself runs away.\n";
   if (q.force.c && q.force.c->sign() < 0)

@@ -137,10 +137,9 @@ Json as_json(const SpringReport& r, const SpringReport& native) {
     for (const NumericCorrection& c : r.kit->corrections) {
       Json terms = Json::array();
       for (const auto& [value, letter] : c.terms)
-        terms.push_back(
-            {{"of", letter.empty() ? Json(nullptr) : Json(letter)},
-             {"decimal", value.decimal ? Json(*value.decimal) : Json(nullptr)},
-             {"radius", value.ball.radius()}});
+        terms.push_back({{"of", letter.empty() ? Json(nullptr) : Json(letter)},
+                         {"decimal", value.decimal ? Json(*value.decimal) : Json(nullptr)},
+                         {"radius", value.ball.radius()}});
       json["kit"].push_back({{"target", c.target}, {"terms", terms}});
     }
   }

@@ -16,8 +16,8 @@ namespace shortfall {
 /// An exact rational number of any size.
 ///
 /// Invariant: in lowest terms, denominator positive; held in two 64-bit words while it fits (the common case,
-/// three to ten times faster than a GMP rational when the numbers have few digits, see docs/performance.md), in
-/// GMP integers otherwise. Equal numbers are represented equally.
+/// three to ten times faster than a GMP rational when the numbers have few digits, see docs/performance.md),
+/// in GMP integers otherwise. Equal numbers are represented equally.
 class Rational {
  public:
   Rational() = default;

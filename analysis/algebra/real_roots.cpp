@@ -21,8 +21,10 @@ Rational root_bound(const Univariate<Rational>& p) {
   return bound;
 }
 
-/// The real roots in (low, high] of an irreducible polynomial of degree 2 or more: no rational number is a root.
-void isolate(const Univariate<Rational>& p, const RootCount& roots, const Rational& low, const Rational& high, std::vector<RealRoot>& found) {
+/// The real roots in (low, high] of an irreducible polynomial of degree 2 or more: no rational number is a
+/// root.
+void isolate(const Univariate<Rational>& p, const RootCount& roots, const Rational& low, const Rational& high,
+             std::vector<RealRoot>& found) {
   const int count = roots.roots_between(low, high);
   if (count == 0) return;
   if (count == 1) {
@@ -85,11 +87,13 @@ std::vector<RealRoot> roots_from(const std::vector<Univariate<Rational>>& polyno
 
 }  // namespace
 
-RealRoot::RealRoot(Rational value) : polynomial_(primitive(Univariate<Rational>({-value, 1}))), low_(value), high_(std::move(value)) {}
+RealRoot::RealRoot(Rational value)
+    : polynomial_(primitive(Univariate<Rational>({-value, 1}))), low_(value), high_(std::move(value)) {}
 
 RealRoot::RealRoot(Univariate<Rational> irreducible, Rational low, Rational high)
     : polynomial_(primitive(irreducible)), low_(std::move(low)), high_(std::move(high)) {
-  if (polynomial_.degree() == 1) low_ = high_ = rational();
+  if (polynomial_.degree() == 1)
+    low_ = high_ = rational();
   else if (const ExactSign sign(polynomial_); sign(low_) * sign(high_) >= 0)
     throw Error("the interval from " + low_.str() + " to " + high_.str() + " does not isolate a root");
 }
@@ -164,7 +168,8 @@ std::string RealRoot::decimal(int places) const {
 std::string RealRoot::significant(int digits) const {
   if (is_rational()) return low_.significant(digits);
   for (RealRoot narrow = *this;; narrow.halve())
-    if (std::string text = narrow.low_.significant(digits); text == narrow.high_.significant(digits)) return text;
+    if (std::string text = narrow.low_.significant(digits); text == narrow.high_.significant(digits))
+      return text;
 }
 
 int RealRoot::places(int significant_digits) const {
@@ -204,7 +209,9 @@ Univariate<Rational> univariate(const Polynomial& p, Letter letter) {
 
 std::vector<RealRoot> real_roots(const Univariate<Rational>& p) { return roots_from({p}, false); }
 
-std::vector<RealRoot> positive_roots(const std::vector<Univariate<Rational>>& polynomials) { return roots_from(polynomials, true); }
+std::vector<RealRoot> positive_roots(const std::vector<Univariate<Rational>>& polynomials) {
+  return roots_from(polynomials, true);
+}
 
 RealRoot square_root(const RealRoot& square) {
   if (square.compare(0) <= 0) throw Undefined("only a positive number has a positive square root");

@@ -12,8 +12,9 @@ namespace shortfall {
 
 /// A real algebraic number: one root of an irreducible polynomial, told from the others by an interval.
 ///
-/// Invariant: the polynomial is irreducible over the rationals, with coprime integer coefficients and a positive leading one; low < root < high
-/// and no other root lies there, or low = root = high when the root is rational.
+/// Invariant: the polynomial is irreducible over the rationals, with coprime integer coefficients and a
+/// positive leading one; low < root < high and no other root lies there, or low = root = high when the root
+/// is rational.
 class RealRoot {
  public:
   RealRoot(Rational value);

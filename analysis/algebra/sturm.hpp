@@ -35,7 +35,9 @@ class Sturm {
     return counted([&](const Univariate<F>& p) { return p.at(x).sign(); });
   }
   int changes_at_infinity(int side) const {
-    return counted([&](const Univariate<F>& p) { return p.leading().sign() * (side < 0 && p.degree() % 2 == 1 ? -1 : 1); });
+    return counted([&](const Univariate<F>& p) {
+      return p.leading().sign() * (side < 0 && p.degree() % 2 == 1 ? -1 : 1);
+    });
   }
   template <class Sign>
   int counted(Sign sign_of) const {

@@ -16,7 +16,9 @@ template <class F>
 class Univariate {
  public:
   Univariate() = default;
-  Univariate(std::vector<F> coefficients) : coefficients_(std::move(coefficients)) { trim(); }  ///< lowest first
+  Univariate(std::vector<F> coefficients) : coefficients_(std::move(coefficients)) {
+    trim();
+  }  ///< lowest first
 
   int degree() const { return static_cast<int>(coefficients_.size()) - 1; }  ///< -1 for zero
   bool is_zero() const { return coefficients_.empty(); }
@@ -62,7 +64,8 @@ class Univariate {
     if (a.is_zero() || b.is_zero()) return {};
     std::vector<F> result(a.coefficients_.size() + b.coefficients_.size() - 1, F(0));
     for (std::size_t i = 0; i < a.coefficients_.size(); ++i)
-      for (std::size_t j = 0; j < b.coefficients_.size(); ++j) result[i + j] += a.coefficients_[i] * b.coefficients_[j];
+      for (std::size_t j = 0; j < b.coefficients_.size(); ++j)
+        result[i + j] += a.coefficients_[i] * b.coefficients_[j];
     return result;
   }
   bool operator==(const Univariate&) const = default;

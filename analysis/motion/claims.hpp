@@ -21,8 +21,8 @@ struct ClaimVerdict {
   bool proved() const { return holds && digits == 0 && trees_up_to == 0; }
 };
 
-/// Proves or refutes the claims about forces that are polynomials in time (exact, shortfall, shortfall-velocity), parameters kept as
-/// letters. Those about the oscillator: stability_claims.hpp.
+/// Proves or refutes the claims about forces that are polynomials in time (exact, shortfall,
+/// shortfall-velocity), parameters kept as letters. Those about the oscillator: stability_claims.hpp.
 ///
 /// throws  Unable  when there is no closed form to hold them against;  Undefined  when a stage is singular
 std::vector<ClaimVerdict> claims(const Program& program);

@@ -115,7 +115,8 @@ Fundamental running(const Force& force, const Wording& w) {
     f.shape = nullptr;
   }
   f.definitions = {{s->name, square_root(-discriminant(force), w), "rate"}};
-  f.condition = !force.damper ? std::string("k < 0") + kRunsAway : comparison(force, w, " < ") + ", overdamped";
+  f.condition =
+      !force.damper ? std::string("k < 0") + kRunsAway : comparison(force, w, " < ") + ", overdamped";
   if (force.damper)
     f.condition += force.k && force.k->sign() < 0 ? std::string("; k < 0") + kRunsAway
                    : force.k                      ? ""

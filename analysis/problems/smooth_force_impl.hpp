@@ -38,8 +38,7 @@ SmoothForce<K>::SmoothForce(const TreeTable& table)
 
 template <class K>
 void SmoothForce<K>::check_near(const Vector& x, const Vector& v) const {
-  if (!vanishes(x[0] - K(1)))
-    throw Unable("the step evaluates the force at a position that is not near x");
+  if (!vanishes(x[0] - K(1))) throw Unable("the step evaluates the force at a position that is not near x");
   if ((reads_velocity_ || given) && (!vanishes(v[0]) || !vanishes(v[1] - K(1))))
     throw Unable("the step evaluates the force at a velocity that is not near v");
 }

@@ -21,8 +21,8 @@ Expr literal(const Rational& value, Place place) {
   for (const int prime : {2, 5})
     while ((rest / Rational(prime)).is_integer()) rest /= Rational(prime);
   if (rest == Rational(1)) return number(value, place);
-  const Expr size = binary(Op::divide, number(value.abs().numerator(), place),
-                           number(value.denominator(), place), place);
+  const Expr size =
+      binary(Op::divide, number(value.abs().numerator(), place), number(value.denominator(), place), place);
   return value.sign() < 0 ? negate(size, place) : size;
 }
 

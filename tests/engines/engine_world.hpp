@@ -9,8 +9,8 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/rational.hpp"
-#include "analysis/problems/functions.hpp"
 #include "analysis/identify/components.hpp"
+#include "analysis/problems/functions.hpp"
 #include "tests/engines/recording.hpp"
 
 namespace shortfall::engines {

@@ -43,8 +43,7 @@ std::pair<std::int64_t, std::int64_t> by_table(const FloatFormat& format, const 
 
 TEST_CASE("tails and periods are those that a table of all states finds") {
   for (const char* name : {"bf16", "f16", "bf16+tozero"})
-    for (const char* integrator :
-         {"symplectic-euler", "velocity-verlet", "leapfrog", "rk4"})
+    for (const char* integrator : {"symplectic-euler", "velocity-verlet", "leapfrog", "rk4"})
       for (const Rational& h : {Rational(1, 8), Rational(1, 3)}) {
         CAPTURE(name);
         CAPTURE(integrator);

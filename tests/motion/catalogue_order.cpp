@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The order that is seen when the step is halved, with 60 digits, for an anharmonic force that depends on time: the
-// coefficients of every file of the catalogue are checked by it without any of our algebra. The truth is the motion's
-// Taylor series.
+// The order that is seen when the step is halved, with 60 digits, for an anharmonic force that depends on
+// time: the coefficients of every file of the catalogue are checked by it without any of our algebra. The
+// truth is the motion's Taylor series.
 #include <doctest/doctest.h>
 
 #include <map>
@@ -18,7 +18,9 @@ namespace {
 
 constexpr int kDigits = 60;
 
-Real real_number(int numerator, int denominator = 1) { return real(Rational(numerator, denominator), kDigits); }
+Real real_number(int numerator, int denominator = 1) {
+  return real(Rational(numerator, denominator), kDigits);
+}
 
 /// x'' = -4 x - 3 x^3 + 2 t x + t^2, from x(0) = 1, v(0) = -1/2.
 Real force(const Real& x, const Real&, const Real& t) {
@@ -33,8 +35,8 @@ Real product(const Series& a, const Series& b, int n) {
   return sum;
 }
 
-/// Position and velocity at time 1, in steps of 1/32 with series of 40 terms: the radius of convergence is far above
-/// 1/4, so what is left out is below 1e-36.
+/// Position and velocity at time 1, in steps of 1/32 with series of 40 terms: the radius of convergence is
+/// far above 1/4, so what is left out is below 1e-36.
 std::pair<Real, Real> truth() {
   constexpr int kTerms = 40, kSteps = 32;
   Real x = real_number(1), v = real_number(-1, 2);
@@ -74,24 +76,54 @@ Real error(const Program& program, int steps, const std::pair<Real, Real>& exact
 }
 
 /// For forces a(x, t), from the publications that the files name.
-const std::map<std::string, int> kOrder{
-    {"explicit-euler", 1},      {"half-gravity", 1},     {"implicit-euler", 1},
-    {"symplectic-euler", 1},    {"symplectic-euler-drift-kick", 1},
-    {"adams-bashforth-2", 2},   {"bogacki-shampine", 3}, {"dormand-prince", 5},
-    {"gauss4", 4},              {"gauss6", 6},           {"heun", 2},
-    {"implicit-midpoint", 2},   {"kutta3", 3},           {"midpoint", 2},
-    {"radau-iia-3", 3},         {"radau-iia-5", 5},      {"ralston", 2},
-    {"rk38", 4},                {"rk4", 4},              {"sdirk2", 2},
-    {"sdirk4", 4},              {"trapezoidal", 2},      {"blanes-moan-rkn11", 6},
-    {"blanes-moan-rkn14", 6},   {"blanes-moan-rkn6", 4}, {"blanes-moan-s10", 6},
-    {"blanes-moan-s6", 4},      {"forest-ruth", 4},      {"mclachlan-atela-2", 2},
-    {"mclachlan-atela-3", 3},   {"mclachlan-atela-4", 4}, {"mclachlan-s2", 2},
-    {"mclachlan-s4", 4},        {"mclachlan-s5", 4},     {"mclachlan-sb3a", 4},
-    {"pefrl", 4},               {"ruth3", 3},            {"suzuki4", 4},
-    {"yoshida4", 4},            {"yoshida6", 6},         {"generalised-alpha", 2},
-    {"newmark", 2},             {"beeman", 2},           {"leapfrog", 2},
-    {"position-verlet", 2},     {"stoermer-verlet", 2},  {"stoermer-verlet-wrong-start", 1},
-    {"velocity-verlet", 2}};
+const std::map<std::string, int> kOrder{{"explicit-euler", 1},
+                                        {"half-gravity", 1},
+                                        {"implicit-euler", 1},
+                                        {"symplectic-euler", 1},
+                                        {"symplectic-euler-drift-kick", 1},
+                                        {"adams-bashforth-2", 2},
+                                        {"bogacki-shampine", 3},
+                                        {"dormand-prince", 5},
+                                        {"gauss4", 4},
+                                        {"gauss6", 6},
+                                        {"heun", 2},
+                                        {"implicit-midpoint", 2},
+                                        {"kutta3", 3},
+                                        {"midpoint", 2},
+                                        {"radau-iia-3", 3},
+                                        {"radau-iia-5", 5},
+                                        {"ralston", 2},
+                                        {"rk38", 4},
+                                        {"rk4", 4},
+                                        {"sdirk2", 2},
+                                        {"sdirk4", 4},
+                                        {"trapezoidal", 2},
+                                        {"blanes-moan-rkn11", 6},
+                                        {"blanes-moan-rkn14", 6},
+                                        {"blanes-moan-rkn6", 4},
+                                        {"blanes-moan-s10", 6},
+                                        {"blanes-moan-s6", 4},
+                                        {"forest-ruth", 4},
+                                        {"mclachlan-atela-2", 2},
+                                        {"mclachlan-atela-3", 3},
+                                        {"mclachlan-atela-4", 4},
+                                        {"mclachlan-s2", 2},
+                                        {"mclachlan-s4", 4},
+                                        {"mclachlan-s5", 4},
+                                        {"mclachlan-sb3a", 4},
+                                        {"pefrl", 4},
+                                        {"ruth3", 3},
+                                        {"suzuki4", 4},
+                                        {"yoshida4", 4},
+                                        {"yoshida6", 6},
+                                        {"generalised-alpha", 2},
+                                        {"newmark", 2},
+                                        {"beeman", 2},
+                                        {"leapfrog", 2},
+                                        {"position-verlet", 2},
+                                        {"stoermer-verlet", 2},
+                                        {"stoermer-verlet-wrong-start", 1},
+                                        {"velocity-verlet", 2}};
 
 }  // namespace
 

@@ -156,7 +156,9 @@ bool rational(const Program& program) { return step_map(lower(program), 0).extra
 
 }  // namespace
 
-TEST_CASE("integrators with irrational coefficients have a law too; with decimals that stand for others nothing is said") {
+TEST_CASE(
+    "integrators with irrational coefficients have a law too; with decimals that stand for others nothing is "
+    "said") {
   for (const char* exact : {"forest-ruth", "suzuki4", "mclachlan-atela-3", "gauss4", "sdirk2"})
     CHECK(list_exactness(find_integrator(exact)).exact == true);
   CHECK_FALSE(list_exactness(find_integrator("pefrl")).exact.has_value());

@@ -42,7 +42,8 @@ TEST_CASE("the first power of h by which a step changes the energy is the one th
   const Precision precision(kDigits);
   for (const Program& program : catalogue()) {
     if (family(program) == "engines") continue;
-    if (program.approximate()) continue;  // what the decimals leave is larger than the error of so short a step
+    if (program.approximate())
+      continue;  // what the decimals leave is larger than the error of so short a step
     // What the start of these gets wrong is still seen in the second step.
     if (program.name == "generalised-alpha" || program.name == "stoermer-verlet-wrong-start") continue;
     CAPTURE(program.name);

@@ -30,9 +30,10 @@ const std::vector<Problem>& problems() {
       {"an anharmonic oscillator", "position_only",
        [](const Real& x, const Real&, const Real&) -> Real { return -x - x * x * x / 2 + x * x / 3; }},
       {"an anharmonic oscillator that is pushed", "velocity_independent",
-       [](const Real& x, const Real&, const Real& t) -> Real { return -x - x * x * x / 2 + t * t / 3 + t * x / 2; }},
-      {"a force that reads the velocity", "general",
-       [](const Real& x, const Real& v, const Real& t) -> Real {
+       [](const Real& x, const Real&, const Real& t) -> Real {
+         return -x - x * x * x / 2 + t * t / 3 + t * x / 2;
+       }},
+      {"a force that reads the velocity", "general", [](const Real& x, const Real& v, const Real& t) -> Real {
          return -x - x * x * x / 2 - v / 2 - v * v * x / 3 + t * v / 4 + t * t / 3;
        }}};
   return all;
