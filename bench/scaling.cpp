@@ -151,7 +151,7 @@ void far_spring(int exponent) {
 
 std::vector<Law> laws() {
   return {
-      {"sums of powers of degree 1 to d", "d", {16, 32, 64, 128}, [](int d) { bench::keep(power_sums(d)); }},
+      {"sums of powers of degree 1 to d", "d", {32, 64, 128, 256}, [](int d) { bench::keep(power_sums(d)); }},
       {"n-step map of symplectic Euler under poly:d",
        "d",
        {5, 10, 20, 40},
@@ -160,14 +160,14 @@ std::vector<Law> laws() {
        "d",
        {4, 8, 16, 32},
        [](int d) { bench::keep(derivation(find_integrator("rk4"), d)); }},
-      {"exact spring, x and v of every frame", "n", {500, 1000, 2000, 4000, 8000}, every_frame},
-      {"exact spring, x_n alone by doubling", "n", {1000, 4000, 16000, 64000}, one_frame},
+      {"exact spring, x and v of every frame", "n", {2000, 4000, 8000, 16000}, every_frame},
+      {"exact spring, x_n alone by doubling", "n", {4000, 16000, 64000, 256000}, one_frame},
       {"x_n, v_n of a spring to 50 digits, n = 10^e", "e", {4, 8, 16, 32, 64}, far_spring},
       {"modified equation with its trees, order p", "p", {6, 7, 8, 9, 10, 11, 12}, modified_equation, true},
       {"1000 steps in MPFR of d digits", "d", {250, 1000, 4000, 16000}, thousand_steps},
       {"budget of n steps in binary32",
        "n",
-       {1000, 4000, 16000, 64000},
+       {20'000, 80'000, 320'000, 1'280'000},
        [](int n) { bench::keep(budget(float_format("f32"), float_spring(), n)); }},
       {"clock of binary32 after 2^e additions", "e", {8, 16, 32, 64}, clock},
   };

@@ -5,6 +5,7 @@
 #include "analysis/program/print.hpp"
 #include "cli/jump_amount.hpp"
 #include "cli/jump_render.hpp"
+#include "notebooks-export/text_table.hpp"
 
 namespace shortfall::cli {
 
@@ -27,13 +28,6 @@ std::string right_correction(const Jump& jump, Style style) {
   if (!jump.correction.exists) return "none";
   if (jump.correction.per_gravity.is_zero()) return "0";
   return print(replace(jump.correction.formula, "h", name("dt")), style);
-}
-
-/// To a width on the screen: ½ is one column and two bytes.
-std::string padded(const std::string& text, std::size_t width) {
-  std::size_t columns = 0;
-  for (const char c : text) columns += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
-  return text + std::string(columns < width ? width - columns : 0, ' ');
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <numeric>
 #include <ostream>
 #include <utility>
 
@@ -301,6 +302,37 @@ Rational& Rational::operator*=(const Rational& other) {
   }
   Access::apply(mpq_mul, *this, other);
   return *this;
+}
+
+Rational Rational::times(unsigned above, unsigned below) const {
+  const unsigned common = std::gcd(above, below);
+  above /= common;
+  below /= common;
+  Rational result;
+  if (!big_) [[likely]] {
+    const std::uint64_t size = magnitude(numerator_);
+    const auto bottom = static_cast<std::uint64_t>(denominator_);
+    const unsigned up = below == 1 ? 1 : std::gcd(static_cast<unsigned>(size % below), below);
+    const unsigned down = above == 1 ? 1 : std::gcd(static_cast<unsigned>(bottom % above), above);
+    const auto numerator = static_cast<Int128>(static_cast<UInt128>(size / up) * (above / down));
+    Access::assign(result, numerator_ < 0 ? -numerator : numerator,
+                   static_cast<Int128>(static_cast<UInt128>(bottom / down) * (below / up)));
+    return result;
+  }
+  mpq_class value = big_->value;
+  const mpz_ptr numerator = value.get_num_mpz_t(), denominator = value.get_den_mpz_t();
+  if (const auto up = static_cast<unsigned>(mpz_gcd_ui(nullptr, numerator, below)); up > 1) {
+    mpz_divexact_ui(numerator, numerator, up);
+    below /= up;
+  }
+  if (const auto down = static_cast<unsigned>(mpz_gcd_ui(nullptr, denominator, above)); down > 1) {
+    mpz_divexact_ui(denominator, denominator, down);
+    above /= down;
+  }
+  mpz_mul_ui(numerator, numerator, above);
+  mpz_mul_ui(denominator, denominator, below);
+  Access::assign(result, std::move(value));
+  return result;
 }
 
 Rational& Rational::operator/=(const Rational& other) {

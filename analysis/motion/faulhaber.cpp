@@ -5,22 +5,41 @@
 
 namespace shortfall {
 
+std::vector<Rational> bernoulli_numbers(int highest) {
+  std::vector<Rational> b(static_cast<std::size_t>(highest) + 1);
+  b[0] = 1;
+  if (highest >= 1) b[1] = Rational(-1, 2);
+  // T_1, T_2, ...: tan x = sum of T_k x^(2k-1)/(2k-1)!
+  const int count = highest / 2;
+  std::vector<Rational> tangent(static_cast<std::size_t>(count) + 1, 1);
+  for (int k = 2; k <= count; ++k) tangent[k] = tangent[k - 1] * (k - 1);
+  for (int k = 2; k <= count; ++k)
+    for (int j = k; j <= count; ++j) {
+      Rational sum = tangent[j] * (j - k + 2);
+      if (j > k) sum += tangent[j - 1] * (j - k);
+      tangent[j] = std::move(sum);
+    }
+  // B_2k = (-1)^(k-1) 2k T_k / (4^k (4^k - 1))
+  Rational power = 1;
+  for (int k = 1; k <= count; ++k) {
+    power *= 4;
+    b[2 * k] = tangent[k] * (k % 2 == 0 ? -2 * k : 2 * k) / (power * (power - 1));
+  }
+  return b;
+}
+
 std::vector<std::vector<Rational>> power_sums(int highest) {
+  const std::vector<Rational> bernoulli = bernoulli_numbers(highest);
   std::vector<std::vector<Rational>> sums;
+  sums.reserve(static_cast<std::size_t>(highest) + 1);
   for (int m = 0; m <= highest; ++m) {
     std::vector<Rational> s(m + 2);
-    if (m == 0) {
-      s[1] = 1;
-    } else {
-      const std::vector<Rational>& before = sums.back();
-      Rational rest;  // S_m(1) = 0 for m >= 1
-      for (int j = 2; j <= m + 1; ++j) {
-        if (before[j - 1].is_zero()) continue;  // half of Bernoulli's numbers are zero
-        s[j] = before[j - 1] * Rational(m, j);
-        rest -= s[j];
-      }
-      s[1] = rest;
+    for (int j = 2; j <= m + 1; ++j) {
+      const Rational& before = sums.back()[j - 1];
+      if (before.is_zero()) continue;  // half of Bernoulli's numbers are zero
+      s[j] = before.times(static_cast<unsigned>(m), static_cast<unsigned>(j));
     }
+    s[1] = bernoulli[m];
     sums.push_back(std::move(s));
   }
   return sums;

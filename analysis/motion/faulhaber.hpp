@@ -15,6 +15,12 @@ namespace shortfall {
 /// Faulhaber and sums of powers
 std::vector<std::vector<Rational>> power_sums(int highest);
 
+/// Bernoulli's numbers B_0 = 1, B_1 = -1/2, B_2 = 1/6, 0, B_4 = -1/30, ... up to B_highest.
+///
+/// From the tangent numbers, which are whole: no greatest common divisor but one for each number.
+/// source  Brent & Harvey (2013), Fast computation of Bernoulli, Tangent and Secant numbers, section 5
+std::vector<Rational> bernoulli_numbers(int highest);
+
 /// The sum of p(k) for k = 0 .. n-1 as a polynomial in the letter n, for p a polynomial in n with
 /// coefficients in the other letters.
 ///

@@ -37,6 +37,20 @@ TEST_CASE("rationals add, subtract, multiply and divide as GMP's do") {
   }));
 }
 
+TEST_CASE("times a ratio of short numbers is times that rational") {
+  CHECK(rc::check([](const Rational& r) {
+    const auto short_number = rc::gen::oneOf(random::whole(1U, 60U), random::whole(1U, 4294967295U));
+    const unsigned above = *short_number, below = *short_number;
+    RC_ASSERT(r.times(above, below) == r * Rational(above, below));
+    RC_ASSERT(r.times(above, below).times(below, above) == r);
+  }));
+  CHECK(Rational(kLeast).times(4, 6) == Rational(kLeast) * Rational(2, 3));
+  CHECK(Rational(kLeast).times(1, 2) == Rational(kLeast / 2));
+  CHECK(Rational(kMost).times(4294967295U, 1) == Rational(kMost) * 4294967295U);
+  CHECK(Rational(1, kMost).times(7, 7) == Rational(1, kMost));
+  CHECK(Rational().times(3, 5).is_zero());
+}
+
 TEST_CASE("rationals compare as GMP's do") {
   CHECK(rc::check([](const Rational& a, const Rational& b) {
     RC_ASSERT((a < b) == (oracle(a) < oracle(b)));

@@ -21,6 +21,18 @@ TEST_CASE("the sums of powers are what adding up gives, to degree 50") {
   }
 }
 
+TEST_CASE("Bernoulli's numbers satisfy their own recurrence") {
+  const std::vector<Rational> b = bernoulli_numbers(60);
+  REQUIRE(b.size() == 61);
+  for (int m = 1; m <= 60; ++m) {  // sum of C(m+1, k) B_k over k = 0 .. m is 0
+    Rational sum;
+    for (int k = 0; k <= m; ++k) sum += binomial(m + 1, k) * b[k];
+    CHECK(sum.is_zero());
+  }
+  CHECK(bernoulli_numbers(0) == std::vector<Rational>{1});
+  CHECK(bernoulli_numbers(3) == std::vector<Rational>{1, Rational(-1, 2), Rational(1, 6), 0});
+}
+
 TEST_CASE("the coefficients of n are Bernoulli's numbers") {
   const auto sums = power_sums(50);
   CHECK(sums[1][1] == Rational(-1, 2));
