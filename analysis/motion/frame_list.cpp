@@ -8,6 +8,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/motion/frame_header.hpp"
+#include "analysis/program/utf8.hpp"
 
 namespace shortfall {
 
@@ -52,21 +53,6 @@ std::string in_quotes(std::string_view text) {
   return "'" + std::string(text.substr(0, 60)) + (text.size() > 60 ? "..." : "") + "'";
 }
 
-/// Bytes of the UTF-8 character at i; 0 when there is none that is well formed.
-std::size_t character(std::string_view text, std::size_t i) {
-  const auto lead = static_cast<unsigned char>(text[i]);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xC2 ? 0
-                             : lead < 0xE0 ? 2
-                             : lead < 0xF0 ? 3
-                             : lead < 0xF5 ? 4
-                                           : 0;
-  if (i + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if ((static_cast<unsigned char>(text[i + k]) & 0xC0) != 0x80) return 0;
-  return length;
-}
-
 class Reader {
  public:
   Reader(std::string_view text, const std::string& file) : text_(text) { list_.file = file; }
@@ -102,7 +88,7 @@ class Reader {
     std::size_t begin = 0;
     for (std::size_t i = 0, length = 1; i < text_.size(); i += length) {
       const auto c = static_cast<unsigned char>(text_[i]);
-      length = character(text_, i);
+      length = utf8_length(text_, i);
       if (c == '\n' || c == '\r') {
         if (c == '\n' || !text_.substr(i).starts_with("\r\n")) ++line;
         begin = i + 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/program/source.hpp"
+#include "analysis/program/utf8.hpp"
 
 #include <algorithm>
 
@@ -10,28 +11,11 @@ namespace {
 constexpr std::size_t kLongestFile = 1'000'000;
 constexpr std::size_t kLongestShownLine = 400;  // a longer line and its caret would only fill the screen
 
-bool continues(char c) { return (static_cast<unsigned char>(c) & 0xC0) == 0x80; }
-
-/// The byte after the UTF-8 character that begins at i; 0 when there is none that is well formed.
-std::size_t after_character(std::string_view text, std::size_t i) {
-  const auto lead = static_cast<unsigned char>(text[i]);
-  const std::size_t length = lead < 0x80   ? 1
-                             : lead < 0xC2 ? 0
-                             : lead < 0xE0 ? 2
-                             : lead < 0xF0 ? 3
-                             : lead < 0xF5 ? 4
-                                           : 0;
-  if (length == 0 || i + length > text.size()) return 0;
-  for (std::size_t k = 1; k < length; ++k)
-    if (!continues(text[i + k])) return 0;
-  return i + length;
-}
-
 /// Tabs are blanks; other control characters would reach a terminal through messages.
 bool is_control(char c) { return (static_cast<unsigned char>(c) < 0x20 && c != '\t') || c == '\x7F'; }
 
 int characters(std::string_view text) {
-  return static_cast<int>(std::ranges::count_if(text, [](char c) { return !continues(c); }));
+  return static_cast<int>(std::ranges::count_if(text, [](char c) { return !continues_utf8(c); }));
 }
 
 /// 10,000 for 10000.
@@ -63,12 +47,12 @@ Source::Source(std::string file, std::string_view text, std::size_t longest_line
       throw SyntaxError(file_, number, 1, "the line is longer than " + grouped(longest_line) + " bytes");
     std::size_t plain = line.size();
     for (std::size_t i = 0; i < line.size();) {
-      const std::size_t next = is_control(line[i]) ? 0 : after_character(line, i);
-      if (next == 0)
+      const std::size_t length = is_control(line[i]) ? 0 : utf8_length(line, i);
+      if (length == 0)
         throw SyntaxError(file_, number, characters(line.substr(0, i)) + 1,
                           "this is not a text file (UTF-8): it has the byte " + in_hexadecimal(line[i]));
-      if (next > i + 1) plain = std::min(plain, i);
-      i = next;
+      if (length > 1) plain = std::min(plain, i);
+      i += length;
     }
     lines_.emplace_back(line);
     plain_.push_back(plain);
