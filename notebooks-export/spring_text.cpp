@@ -25,7 +25,7 @@ std::string short_number(const Rational& value, bool rounded) {
   return rounded || value.digits() > 12 ? value.significant(kSpringDigits) : value.str();
 }
 
-std::string stability_of(const EffectiveSpring& e) {
+std::string stability_verdict(const EffectiveSpring& e) {
   if (!e.stable) return "at the edge of stability, undecided";
   if (*e.stable) return "stable";
   // One eigenvalue of size 1 twice.
@@ -73,7 +73,7 @@ std::string as_text(const SpringReport& r, const SpringReport& native, Style sty
                      short_number(q.k, q.rounded) + " 1/s^2, c " +
                      (q.rounded && !q.c.is_zero() ? near : "= ") + short_number(q.c, q.rounded) +
                      " 1/s, dt = " + q.h.str() + " s" + substeps(q) + "\n";
-  text += "It is " + stability_of(r.effective) +
+  text += "It is " + stability_verdict(r.effective) +
           ".\n\nOne frame, exact\n  trace T       = " + print(r.trace, style) +
           "\n  determinant D = " + print(r.determinant, style) + "\n";
   text += "\n" + row("rounded", "this step", "the true spring");
@@ -88,7 +88,7 @@ std::string as_text(const SpringReport& r, const SpringReport& native, Style sty
       "\nThe same spring as engines do it themselves, implicitly: v := (v - h k x)/(1 + h c + h^2 k), x := x "
       "+ h v" +
       std::string(q.substeps > 1 ? ", h = dt/" + std::to_string(q.substeps) : "") + "\n  " +
-      stability_of(native.effective) +
+      stability_verdict(native.effective) +
       (native.effective.frequency
            ? "; frequency " + near + digits_or_zero(*native.effective.frequency) + " Hz, damping ratio " +
                  near + digits_or_zero(*native.effective.damping_ratio)
