@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/stability_words.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 
@@ -27,9 +28,11 @@ FormulaLetters letters_of(const Amplification& a, StabilityLetters letters) {
 }
 
 std::string without_zeros_behind_point(const std::string& decimal) {
-  if (decimal.find('.') == std::string::npos) return decimal;
-  const std::size_t last = decimal.find_last_not_of('0');
-  return decimal.substr(0, decimal[last] == '.' ? last : last + 1);
+  const std::size_t exponent = std::min(decimal.find('e'), decimal.size());
+  const std::string digits = decimal.substr(0, exponent);
+  if (digits.find('.') == std::string::npos) return decimal;
+  const std::size_t last = digits.find_last_not_of('0');
+  return digits.substr(0, digits[last] == '.' ? last : last + 1) + decimal.substr(exponent);
 }
 
 std::string below(Style style, bool included) {

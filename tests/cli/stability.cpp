@@ -26,6 +26,15 @@ TEST_CASE("the limit: exact, 50 digits, an isolating interval, and what happens 
   CHECK(contains(f.out, "this growth is right"));
 }
 
+TEST_CASE("a tiny limit keeps the zeros of its exponent") {
+  Asked f("stability");
+  f.write("stiff.integrator",
+          "integrator stiff\n  source test\n  step\n    v = v + 100000000000000000000*h*a(x, v, t)\n"
+          "    x = x + h*v\n");
+  f.run("stiff.integrator");
+  CHECK(contains(f.out, "z = 1/5000000000 = 2e-10\n"));
+}
+
 TEST_CASE("parameters: given ones are numbers, the others stay letters in the formulas") {
   Asked f("stability");
   f.run("newmark --param beta=0 --param gamma=1/2");
