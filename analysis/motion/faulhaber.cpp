@@ -2,6 +2,7 @@
 #include "analysis/motion/faulhaber.hpp"
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/gmp.hpp"
 
 namespace shortfall {
 
@@ -10,20 +11,20 @@ std::vector<Rational> bernoulli_numbers(int highest) {
   b[0] = 1;
   if (highest >= 1) b[1] = Rational(-1, 2);
   // T_1, T_2, ...: tan x = sum of T_k x^(2k-1)/(2k-1)!
-  const int count = highest / 2;
-  std::vector<Rational> tangent(static_cast<std::size_t>(count) + 1, 1);
-  for (int k = 2; k <= count; ++k) tangent[k] = tangent[k - 1] * (k - 1);
-  for (int k = 2; k <= count; ++k)
-    for (int j = k; j <= count; ++j) {
-      Rational sum = tangent[j] * (j - k + 2);
-      if (j > k) sum += tangent[j - 1] * (j - k);
-      tangent[j] = std::move(sum);
+  const auto count = static_cast<std::size_t>(highest) / 2;
+  std::vector<mpz_class> tangent(count + 1, 1);
+  for (std::size_t k = 2; k <= count; ++k) tangent[k] = tangent[k - 1] * (k - 1);
+  for (std::size_t k = 2; k <= count; ++k)
+    for (std::size_t j = k; j <= count; ++j) {
+      tangent[j] *= j - k + 2;
+      mpz_addmul_ui(tangent[j].get_mpz_t(), tangent[j - 1].get_mpz_t(), j - k);
     }
   // B_2k = (-1)^(k-1) 2k T_k / (4^k (4^k - 1))
-  Rational power = 1;
-  for (int k = 1; k <= count; ++k) {
+  mpz_class power = 1;
+  for (std::size_t k = 1; k <= count; ++k) {
     power *= 4;
-    b[2 * k] = tangent[k] * (k % 2 == 0 ? -2 * k : 2 * k) / (power * (power - 1));
+    const mpz_class above = tangent[k] * (2 * k);
+    b[2 * k] = rational(k % 2 == 0 ? mpz_class(-above) : above, power * (power - 1));
   }
   return b;
 }
