@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <concepts>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
@@ -43,8 +44,7 @@ std::string csv_decimal(const Surd& value);
 std::string force_frames_text(int count);
 
 /// A binary32 or binary64 number by the shortest decimal that reads back as itself, and in hexadecimal.
-std::string shortest(float value);
-std::string shortest(double value);
+std::string shortest(std::floating_point auto value);
 std::string hexadecimal(float value);
 
 }  // namespace shortfall::cli

@@ -230,17 +230,13 @@ std::string force_frames_text(int count) {
   return count == 1 ? "frame 1" : "frames 1 to " + std::to_string(count);
 }
 
-std::string shortest(float value) {
+std::string shortest(std::floating_point auto value) {
   char text[64];
   const auto end = std::to_chars(text, text + sizeof text, value).ptr;
   return {text, end};
 }
-
-std::string shortest(double value) {
-  char text[64];
-  const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-  return {text, end};
-}
+template std::string shortest(float);
+template std::string shortest(double);
 
 std::string hexadecimal(float value) {
   char text[64];

@@ -86,8 +86,8 @@ class Rational {
   }
   std::strong_ordering operator<=>(const Rational&) const;
 
-  /// This times above/below, two positive whole numbers: three times as quick as the product with a Rational,
-  /// since common factors with short numbers are found by one remainder.
+  /// This times above/below, two positive whole numbers: quicker than the product with a Rational, since
+  /// common factors with short numbers are found by one remainder.
   Rational times(unsigned above, unsigned below) const;
   Rational abs() const { return sign() < 0 ? -*this : *this; }
   Rational floor() const;

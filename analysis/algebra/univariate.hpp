@@ -16,9 +16,8 @@ template <class F>
 class Univariate {
  public:
   Univariate() = default;
-  Univariate(std::vector<F> coefficients) : coefficients_(std::move(coefficients)) {
-    trim();
-  }  ///< lowest first
+  /// Lowest first.
+  Univariate(std::vector<F> coefficients) : coefficients_(std::move(coefficients)) { trim(); }
 
   int degree() const { return static_cast<int>(coefficients_.size()) - 1; }  ///< -1 for zero
   bool is_zero() const { return coefficients_.empty(); }

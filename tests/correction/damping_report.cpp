@@ -169,6 +169,8 @@ TEST_CASE("a spring exactly at its limit, and one that is exactly critical") {
   CHECK(near(critical.effective.growth, 0.5625));  // eigenvalues 0 and 3/4, two frames a second
   // ... and with h = 1 the step has -1/2 +- sqrt(5)/2.
   CHECK(of("symplectic-euler", 1, 2, 1).effective.stable == false);
+  // The eigenvalues 0 and -1: one of size 1, once, so that the motion stays bounded.
+  CHECK(of("symplectic-euler", 2, 1, 1).effective.stable == true);
 }
 
 TEST_CASE("the true spring of an engine that damps by a power has the logarithm as its damping") {
