@@ -27,6 +27,17 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU" AND CMAKE_CXX_COMPILER_VERSION VERSION_L
   add_compile_options(-Wno-array-bounds -Wno-restrict -Wno-stringop-overflow -Wno-stringop-overread)
 endif()
 
+# clang links g++'s libquadmath and does not look for its header, which stands among g++'s own.
+if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
+  file(GLOB quadmath_folders "/usr/lib/gcc/*/*/include/quadmath.h")
+  if(quadmath_folders)
+    list(SORT quadmath_folders COMPARE NATURAL ORDER DESCENDING)
+    list(GET quadmath_folders 0 quadmath_header)
+    cmake_path(GET quadmath_header PARENT_PATH quadmath_folder)
+    add_compile_options("SHELL:-idirafter ${quadmath_folder}")
+  endif()
+endif()
+
 if(SHORTFALL_SANITIZE)
   # What is left out of the undefined-behaviour checks are those before each access to memory, which the address
   # sanitizer watches in its own way: with them a file takes twice as long to compile, and with all debugging information

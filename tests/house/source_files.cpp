@@ -5,6 +5,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <initializer_list>
 #include <iterator>
 
 namespace shortfall::house {
@@ -39,16 +40,18 @@ bool is_include(std::string_view text, std::size_t at) {
   return (at == 0 || text[at - 1] == '\n') && text.substr(at).starts_with("#include");
 }
 
-}  // namespace
-
-std::vector<SourceFile> source_files() {
+/// The files with one of these endings, sorted by path; what a build wrote is not the project's.
+std::vector<SourceFile> files_that_end(std::initializer_list<std::string_view> endings) {
   const fs::path root = SHORTFALL_SOURCE_DIR;
   std::vector<SourceFile> files;
-  for (const char* folder : {"analysis", "notebooks-export", "cli", "tests", "bench", "examples"}) {
+  for (const char* folder : {"analysis", "notebooks-export", "cli", "tests", "bench", "examples", "fuzz",
+                             "lessons", "python", "cmake"}) {
     if (!fs::exists(root / folder)) continue;
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
-      const std::string extension = entry.path().extension().string();
-      if (!entry.is_regular_file() || (extension != ".cpp" && extension != ".hpp")) continue;
+      const std::string name = entry.path().filename().string();
+      if (!entry.is_regular_file() ||
+          std::ranges::none_of(endings, [&](auto e) { return name.ends_with(e); }))
+        continue;
       std::ifstream in(entry.path(), std::ios::binary);
       files.push_back({fs::relative(entry.path(), root).generic_string(),
                        std::string(std::istreambuf_iterator<char>(in), {})});
@@ -57,6 +60,12 @@ std::vector<SourceFile> source_files() {
   std::ranges::sort(files, {}, &SourceFile::path);
   return files;
 }
+
+}  // namespace
+
+std::vector<SourceFile> source_files() { return files_that_end({".cpp", ".hpp"}); }
+
+std::vector<SourceFile> scripts() { return files_that_end({".py", ".sh", ".cmake", "CMakeLists.txt"}); }
 
 std::vector<std::string_view> lines(std::string_view text) {
   std::vector<std::string_view> result;

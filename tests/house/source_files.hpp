@@ -15,6 +15,9 @@ struct SourceFile {
 /// Every .cpp and .hpp of the project, sorted by path.
 std::vector<SourceFile> source_files();
 
+/// Every Python, shell and CMake script of the project, in the same way.
+std::vector<SourceFile> scripts();
+
 /// The lines of a text, without their ends.
 std::vector<std::string_view> lines(std::string_view text);
 

@@ -6,7 +6,7 @@
              fractions, position and velocity are exact after 1..7 steps; of `force alone` that does not exist under a
              constant force: none that makes one frame right makes the others right
   stability  inside every window the steps of a spring stay bounded, just outside they grow
-  order      what the literature says of the method (catalogue.py)
+  order      what the literature says of the method (orders.py)
 
     tests/independent/answers.py SHORTFALL FOLDER
 """
@@ -20,9 +20,11 @@ from fractions import Fraction
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from catalogue import ORDER, pair, parameter_sets, same, some, tolerance  # noqa: E402
+from claims import pair, parameter_sets, same, some, tolerance  # noqa: E402
+from expressions import Bad, whole  # noqa: E402
 from interpreter import parameters, run, value  # noqa: E402
-from language import Bad, Integrator, whole  # noqa: E402
+from language import Integrator  # noqa: E402
+from orders import ORDER  # noqa: E402
 
 STEPS = 7
 

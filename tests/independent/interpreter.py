@@ -6,7 +6,7 @@ import math
 from decimal import Decimal, localcontext
 from fractions import Fraction
 
-from language import Bad
+from expressions import Bad
 
 DIGITS = 120  # to which irrational numbers are rounded where everything else is a fraction
 

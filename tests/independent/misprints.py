@@ -16,8 +16,8 @@ import tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-import catalogue  # noqa: E402
 import order_conditions  # noqa: E402
+import orders  # noqa: E402
 from language import Integrator  # noqa: E402
 
 
@@ -98,8 +98,8 @@ def mended_integrator(text, mends):
 
 def seen(path, order):
     integrator = Integrator(path.read_text())
-    catalogue.ORDER[integrator.name] = (order, order)
-    return catalogue.observed_order(integrator, catalogue.without_velocity)
+    orders.ORDER[integrator.name] = (order, order)
+    return orders.observed_order(integrator, orders.without_velocity)
 
 
 def check_integrator(folder, misprint, scratch):
