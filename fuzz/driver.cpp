@@ -10,6 +10,7 @@
 #include <iterator>
 #include <random>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "fuzz/target.hpp"
@@ -54,10 +55,11 @@ class Mutation {
   std::size_t below(std::size_t bound) { return bound == 0 ? 0 : random_() % bound; }
 
   void change(std::string& text) {
-    static constexpr const char* kPieces[] = {
+    using namespace std::string_view_literals;
+    static constexpr std::string_view kPieces[] = {
         "(",   ")",  "[",  "]",  "{",        "}",     "^",       "*",   "/",   "-",
         ",",   ":",  "\n", "\t", "0",        "1e999", "-1e-400", "nan", "inf", "999999999999999999999",
-        "1/0", "\"", "'",  "=",  "\xff\xfe", "\0x",   "#",       "h",   "v",   "x"};
+        "1/0", "\"", "'",  "=",  "\xff\xfe", "\0"sv,  "#",       "h",   "v",   "x"};
     const std::size_t at = below(text.size() + 1);
     const std::size_t length = std::min(text.size() - at, 1 + below(8));
     switch (below(6)) {

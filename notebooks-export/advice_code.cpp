@@ -12,7 +12,7 @@ namespace {
 
 class Snippet {
  public:
-  explicit Snippet(Language language) : language_(language) {}
+  Snippet(Language language, bool in_binary64) : language_(language), in_binary64_(in_binary64) {}
 
   void comment(const std::string& text) {
     const bool hash = language_ == Language::python || language_ == Language::gdscript;
@@ -35,7 +35,10 @@ class Snippet {
       Expr weight = number(t.coefficient.constant());
       for (int k = 0; k < t.power; ++k) weight = weight * name("dt");
       const Expr what = t.tree == "v" ? name("v") : call(kCalledForce, {name("x"), name("v"), name("t")});
-      text_ += target + " = " + target + " + " + code(weight * what, language_, {{"dt", "dt"}}) +
+      const Expr added = weight * what;
+      const std::map<std::string, std::string> names{{"dt", "dt"}};
+      text_ += target + " = " + target + " + " +
+               (in_binary64_ ? code_in_binary64(added, language_, names) : code(added, language_, names)) +
                (semicolon ? ";" : "") + "\n";
     }
   }
@@ -43,6 +46,7 @@ class Snippet {
 
  private:
   Language language_;
+  bool in_binary64_;
   std::string text_;
 };
 
@@ -53,14 +57,16 @@ std::string advice_code(const Advice& advice, Language language) {
   const StepChoice& choice = advice.best->choice;
   const Program program = find_integrator(choice.integrator);
   Values parameters = parameter_values(program, choice.parameters);
-  const CodeStep step = code_step(program, parameters, language, ForceInCode::called);
+  const bool in_binary64 = choice.format == "f64";
+  const CodeStep step = code_step(program, parameters, language, ForceInCode::called, in_binary64);
   std::string kept;
   for (const ForceEffect& e : advice.effects)
     if (!e.dropped) kept += (kept.empty() ? "" : " + ") + e.name;
-  Snippet s(language);
+  Snippet s(language, in_binary64);
   s.comment(program.name + " for: " + (advice.scene.title.empty() ? advice.scene.name : advice.scene.title));
   s.comment("acceleration(x, v, t) is yours: " + kept +
-            ". x, v and what it returns are vectors, or one coordinate.");
+            ". x, v and what it returns are vectors, or one coordinate, of " + (in_binary64 ? "f64" : "f32") +
+            " numbers.");
   s.comment(
       "dt = " + short_number(choice.frame / Rational(choice.substeps)) + " " + advice.scene.units.time +
       (choice.substeps > 1 ? ", " + std::to_string(choice.substeps) + " steps a frame" : std::string()) +

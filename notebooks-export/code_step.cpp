@@ -118,7 +118,8 @@ void keep_for(std::set<std::string> needed, StepLines& lines) {
 
 class Printer {
  public:
-  Printer(Language language, ForceInCode force) : language_(language), force_(force) {}
+  Printer(Language language, ForceInCode force, bool in_binary64)
+      : language_(language), force_(force), in_binary64_(in_binary64) {}
 
   static int assignments(const StepLines& lines, const std::string& name) {
     int count = 0;
@@ -136,7 +137,7 @@ class Printer {
         continue;
       }
       const bool again = declared.contains(l.name) || assignments(whole, l.name) > 1;
-      out.push_back(indent(depth) + assignment(l.name, code(l.value, language_, names), again));
+      out.push_back(indent(depth) + assignment(l.name, written(l.value), again));
     }
   }
 
@@ -149,6 +150,10 @@ class Printer {
   }
 
  private:
+  std::string written(const Expr& e) const {
+    return in_binary64_ ? code_in_binary64(e, language_, names) : code(e, language_, names);
+  }
+
   std::string declaration(const std::string& target, const std::string& value, bool again) const {
     const bool vectors = force_ == ForceInCode::called;  // of what type they are is the caller's
     switch (language_) {
@@ -192,7 +197,7 @@ class Printer {
   void repeat(const Line& loop, const StepLines& whole, int depth, std::vector<std::string>& out) {
     for (const Line& l : loop.body)  // a local that lives on after the loop is declared before it
       if (!l.name.empty() && !declared.contains(l.name) && occurs_outside(loop, whole, l.name))
-        out.push_back(indent(depth) + assignment(l.name, literal(0, language_), true));
+        out.push_back(indent(depth) + assignment(l.name, written(number(0)), true));
     const std::set<std::string> outside = declared;
     const std::string count = std::to_string(loop.times);
     const std::string number = ++blocks_ == 1 ? "" : std::to_string(blocks_);
@@ -205,7 +210,7 @@ class Printer {
       names["t"] = time;
     }
     out.push_back(indent(depth) +
-                  declaration(short_step, outer + " / " + literal(loop.times, language_), false));
+                  declaration(short_step, outer + " / " + written(shortfall::number(loop.times)), false));
     switch (language_) {
       case Language::csharp:
       case Language::cpp:
@@ -239,6 +244,7 @@ class Printer {
 
   Language language_;
   ForceInCode force_;
+  bool in_binary64_;
   int blocks_ = 0;
 };
 
@@ -249,7 +255,7 @@ namespace {
 enum class Shape { loop, locals, members };
 
 CodeStep shaped(const Program& whole, const Values& parameters, Language language, ForceInCode force,
-                Shape shape) {
+                Shape shape, bool in_binary64) {
   constexpr int kDigits = 20;  // more than any of these languages' numbers hold
   const Program program = with_numbers(undisturbed(whole), kDigits);
   StepLines start = lines_of(program.start, parameters, force);
@@ -276,7 +282,7 @@ CodeStep shaped(const Program& whole, const Values& parameters, Language languag
       throw Unable("the step of " + program.name + " reads the clock; we cannot write it as code yet");
 
   CodeStep result;
-  Printer printer(language, force);
+  Printer printer(language, force, in_binary64);
   for (const Parameter& p : program.parameters) {
     if (!reads(start, p.name) && !read_by_frame(p.name)) continue;
     printer.names[p.name] = constant_identifier(p.name, language);
@@ -310,13 +316,15 @@ CodeStep shaped(const Program& whole, const Values& parameters, Language languag
 
 }  // namespace
 
-CodeStep code_step(const Program& program, const Values& parameters, Language language, ForceInCode force) {
-  return shaped(program, parameters, language, force, Shape::loop);
+CodeStep code_step(const Program& program, const Values& parameters, Language language, ForceInCode force,
+                   bool in_binary64) {
+  return shaped(program, parameters, language, force, Shape::loop, in_binary64);
 }
 
 CodeStep code_step_of_class(const Program& program, const Values& parameters, Language language,
                             bool members) {
-  return shaped(program, parameters, language, ForceInCode::called, members ? Shape::members : Shape::locals);
+  return shaped(program, parameters, language, ForceInCode::called, members ? Shape::members : Shape::locals,
+                false);
 }
 
 }  // namespace shortfall

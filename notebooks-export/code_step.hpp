@@ -31,9 +31,10 @@ struct CodeStep {
 /// Under a constant acceleration (ForceInCode::constant) the places where the force is evaluated do not
 /// matter; what only serves to find them is left out, and implicit stages become explicit.
 ///
+/// param   in_binary64  constants keep the digits of binary64 in every language
 /// throws  Unable  when a stage stays implicit, or the step reads the clock under a constant force
 CodeStep code_step(const Program& program, const Values& parameters, Language language,
-                   ForceInCode force = ForceInCode::constant);
+                   ForceInCode force = ForceInCode::constant, bool in_binary64 = false);
 
 /// The step for a class that calls the force and carries x, v, t, dt and the states: `start` gives the states
 /// their values, `finish` stands apart, and both x and v are reported.

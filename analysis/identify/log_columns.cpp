@@ -139,8 +139,7 @@ LogColumns columns_of_header(const std::vector<std::string>& header,
     if (known == kNames.end())
       throw BadInput("no column is called '" + thing + "': there are frame, time, body, x, y, z, vx, vy, vz");
     auto found = std::ranges::find(header, name);
-    if (found == header.end())
-      found = std::ranges::find_if(header, [&](const std::string& h) { return small(h) == small(name); });
+    if (found == header.end()) found = std::ranges::find(header, small(name), small);
     if (found == header.end())
       throw BadInput("there is no column '" + name + "'" + did_you_mean(name, header));
     const std::size_t at = static_cast<std::size_t>(found - header.begin());

@@ -107,6 +107,19 @@ TEST_CASE("advise --lang: the step that is advised, run as code, ends where the 
   for (const char* language : {"csharp", "cpp", "gdscript", "rust", "javascript"})
     CHECK(contains(folder.run(std::string("advise s.toml --lang ") + language).out, "acceleration"));
   CHECK(folder.run("advise s.toml --lang cobol").code == 2);
+  // Constants have the digits of the format that is advised: xi of PEFRL (Omelyan et al. 2002, eq. 20).
+  const auto by_pefrl = [&](const std::string& format) {
+    std::string scene = kOscillator;
+    scene.replace(scene.find("[\"f32\", \"f64\"]"), 14, "[\"" + format + "\"]");
+    folder.write("p.toml", scene);
+    return folder.run("advise p.toml --lang cpp --integrators pefrl").out;
+  };
+  const std::string wide = by_pefrl("f64"), narrow = by_pefrl("f32");
+  CHECK(contains(wide, "of f64 numbers"));
+  CHECK(contains(wide, "0.1786178958448091"));
+  CHECK_FALSE(contains(wide, "0f"));
+  CHECK(contains(narrow, "of f32 numbers"));
+  CHECK(contains(narrow, "0.1786178958448091f"));
 }
 
 TEST_CASE("advise: exit code 1 when nothing meets the tolerances, with what comes closest") {
