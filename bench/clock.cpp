@@ -21,7 +21,7 @@ ClockQuestion question(const benchmark::State& state) {
 void value(benchmark::State& state) {
   const ClockQuestion q = question(state);
   const Accumulator clock{q.format, q.rounding, 0, *rounded(q.dt, q.format, q.rounding)};
-  for (auto _ : state) benchmark::DoNotOptimize(accumulated(clock, q.additions));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(accumulated(clock, q.additions));
   state.SetLabel(q.format_name);
 }
 
@@ -29,7 +29,7 @@ void value(benchmark::State& state) {
 void whole_report(benchmark::State& state) {
   ClockQuestion q = question(state);
   q.most_stepped = 0;
-  for (auto _ : state) benchmark::DoNotOptimize(clock_report(q));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(clock_report(q));
   state.SetLabel(q.format_name);
 }
 

@@ -23,7 +23,7 @@ NumericQuestion question(const char* force, int steps_exponent) {
 void far_spring(benchmark::State& state) {
   const Program p = find_integrator("velocity-verlet");
   const NumericQuestion q = question("spring:k=1", static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(numeric_motion(p, q));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(numeric_motion(p, q));
 }
 
 /// The same with damping and a force that is a polynomial in time.
@@ -31,13 +31,13 @@ void far_damped_poly(benchmark::State& state) {
   const Program p = find_integrator("rk4");
   const NumericQuestion q =
       question("poly:2:f0=1,f1=-2,f2=1/3+damped-spring:k=4,c=1/1000", static_cast<int>(state.range(0)));
-  for (auto _ : state) benchmark::DoNotOptimize(numeric_motion(p, q));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(numeric_motion(p, q));
 }
 
 /// Every integrator of the catalogue, n = 10^18, a spring.
 void far_catalogue(benchmark::State& state) {
   const NumericQuestion q = question("spring:k=1", 18);
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const Program& p : catalogue()) try {
         benchmark::DoNotOptimize(numeric_motion(p, q));
       } catch (const Unable&) {  // not a linear step
@@ -48,7 +48,7 @@ void far_catalogue(benchmark::State& state) {
 void derive_and_correct(benchmark::State& state, const char* integrator, const char* force) {
   const Program p = find_integrator(integrator);
   const Force f = force_named(force);
-  for (auto _ : state) {
+  for ([[maybe_unused]] auto _ : state) {
     benchmark::DoNotOptimize(linear_derivation(p, f));
     benchmark::DoNotOptimize(linear_kit(p, f));
   }

@@ -21,13 +21,13 @@ Stability report(const Program& p, int substeps = 1) {
 
 /// Everything that `shortfall stability` says about an integrator, for all of the catalogue: less than 5 s.
 void whole_catalogue(benchmark::State& state) {
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const Program& p : catalogue()) benchmark::DoNotOptimize(report(p));
 }
 
 /// With frames of four substeps: formulas of a frame are longer.
 void four_substeps(benchmark::State& state) {
-  for (auto _ : state)
+  for ([[maybe_unused]] auto _ : state)
     for (const Program& p : catalogue()) benchmark::DoNotOptimize(report(p, 4));
 }
 
@@ -35,7 +35,7 @@ void four_substeps(benchmark::State& state) {
 void one_integrator(benchmark::State& state) {
   const char* const names[] = {"velocity-verlet", "rk4", "sdirk4"};
   const Program p = find_integrator(names[state.range(0)]);
-  for (auto _ : state) benchmark::DoNotOptimize(stability(p));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(stability(p));
 }
 
 BENCHMARK(whole_catalogue)->Unit(benchmark::kMillisecond);

@@ -3,9 +3,9 @@
 #include <optional>
 
 #include "analysis/algebra/error.hpp"
-#include "analysis/program/suggest.hpp"
 #include "analysis/trade/advice.hpp"
 #include "cli/command.hpp"
+#include "cli/language.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
 #include "cli/scene.hpp"
@@ -24,13 +24,7 @@ struct AdviseOptions {
 
 int advise_command(const AdviseOptions& o) {
   std::optional<Language> language;
-  if (!o.language.empty()) {
-    language = language_named(o.language);
-    if (!language)
-      throw BadInput("--lang '" + o.language.substr(0, 60) + "': unknown language" +
-                     did_you_mean(o.language, language_names()));
-    if (o.json) throw BadInput("--json and --lang: give one of them");
-  }
+  if (!o.language.empty()) language = language_of(o.language);
   AdviceQuestion question;
   question.margin = o.margin;
   question.integrators = words_of(o.integrators);

@@ -28,11 +28,8 @@ bool is_path(const std::string& word) {
 }
 
 Audit of_file(const AuditOptions& o, const AuditLimits& limits) {
-  const auto check = [&] {
-    if (o.order && (*o.order < 1 || *o.order > kHighestClaimedOrder))
-      throw BadInput("--order takes a whole number from 1 to " + std::to_string(kHighestClaimedOrder));
-  };
-  check();
+  if (o.order && (*o.order < 1 || *o.order > kHighestClaimedOrder))
+    throw BadInput("--order takes a whole number from 1 to " + std::to_string(kHighestClaimedOrder));
   if (is_tableau(o.integrator)) {
     TableauFile file = parse_tableau_file(o.integrator);
     if (o.order) file.claims.order = Stated<int>{*o.order, {}};

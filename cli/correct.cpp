@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include <memory>
 #include <optional>
 
@@ -9,11 +7,11 @@
 #include "analysis/correction/linear_kit.hpp"
 #include "analysis/motion/own_equation.hpp"
 #include "analysis/program/print.hpp"
-#include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
 #include "cli/correct.hpp"
 #include "cli/correct_general.hpp"
 #include "cli/force.hpp"
+#include "cli/language.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
 #include "notebooks-export/code.hpp"
@@ -26,11 +24,7 @@
 namespace shortfall::cli {
 
 std::string correction_code(const Question& q, const std::string& word, const std::string& height) {
-  const auto language = language_named(word);
-  if (!language)
-    throw BadInput("--lang '" + word.substr(0, 60) + "': we write " +
-                   fmt::format("{}", fmt::join(language_names(), ", ")) +
-                   did_you_mean(word, language_names()));
+  const Language language = language_of(word);
   if (is_force_class(q.force))
     throw Unable(
         "a launch for every force is given as a formula; code is printed for forces that have a formula of "
@@ -40,24 +34,24 @@ std::string correction_code(const Question& q, const std::string& word, const st
   if (force.linear() && !(asked.degree == 0 && !asked.linear())) {
     if (!height.empty()) throw BadInput("--height goes with --lang and a constant force");
     return linear_kit_code(linear_kit(q.program(), asked, q.values(), q.substeps()),
-                           linear_derivation(q.program(), asked, q.values(), q.substeps()), *language);
+                           linear_derivation(q.program(), asked, q.values(), q.substeps()), language);
   }
   const int degree = force_degree(q.force);
   if (degree == 0) {
     std::optional<Rational> aim;
     if (!height.empty()) aim = positive_quantity(height, Unit::length, "--height");
     try {
-      return jump_code(Flight(q.program(), q.step(), q.substeps(), q.values()), q.gravity(), *language, aim);
+      return jump_code(Flight(q.program(), q.step(), q.substeps(), q.values()), q.gravity(), language, aim);
     } catch (const Undefined&) {
       // Where damping makes what is missing depend on the launch, the kit of the damped motion is the answer.
       if (!force.linear() || aim) throw;
       return linear_kit_code(linear_kit(q.program(), asked, q.values(), q.substeps()),
-                             linear_derivation(q.program(), asked, q.values(), q.substeps()), *language);
+                             linear_derivation(q.program(), asked, q.values(), q.substeps()), language);
     }
   }
   if (!height.empty()) throw BadInput("--height goes with --lang and a constant force");
   const Derivation d = derivation(q.program(), degree, q.values(), q.substeps(), false);
-  return kit_code(correction_kit(d), d, *language);
+  return kit_code(correction_kit(d), d, language);
 }
 
 namespace {

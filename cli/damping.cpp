@@ -5,8 +5,8 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/damping_report.hpp"
 #include "analysis/program/catalogue.hpp"
-#include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
+#include "cli/language.hpp"
 #include "cli/output.hpp"
 #include "notebooks-export/damping_code.hpp"
 #include "notebooks-export/damping_text.hpp"
@@ -47,11 +47,7 @@ void all(const DampingOptions& o) {
 
 void damping(const DampingOptions& o) {
   if (!o.language.empty()) {
-    const auto language = language_named(o.language);
-    if (!language)
-      throw BadInput("--lang '" + o.language.substr(0, 60) + "': unknown language" +
-                     did_you_mean(o.language, language_names()));
-    write_output(damping_code(*language), o.output);
+    write_output(damping_code(language_of(o.language)), o.output);
   } else if (o.all_engines) {
     all(o);
   } else {

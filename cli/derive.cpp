@@ -38,7 +38,7 @@ int derive_linear(const Question& q, const Program& program, const Force& force)
 
 int derive(const Question& q) {
   const Force asked = force_named(q.force);
-  if (!asked.push.empty())
+  if (!asked.push.empty() && !asked.nothing)
     throw BadInput(
         "--force '" + q.force.substr(0, 60) +
         "': formulas keep the letters of the force polynomial; a number for them goes with --steps");

@@ -10,11 +10,12 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit.hpp"
 #include "analysis/motion/own_equation.hpp"
+#include "analysis/program/catalogue.hpp"
 #include "analysis/program/print.hpp"
-#include "analysis/program/suggest.hpp"
 #include "cli/command.hpp"
 #include "cli/export_lesson.hpp"
 #include "cli/force.hpp"
+#include "cli/language.hpp"
 #include "cli/output.hpp"
 #include "cli/output_folder.hpp"
 #include "notebooks-export/code.hpp"
@@ -42,12 +43,7 @@ std::vector<Language> languages(const std::string& words) {
   std::vector<Language> list;
   std::istringstream stream(words == "all" ? fmt::format("{}", fmt::join(language_names(), ",")) : words);
   for (std::string word; std::getline(stream, word, ',');) {
-    const auto language = language_named(word);
-    if (!language)
-      throw BadInput("--code '" + word.substr(0, 60) + "': we write " +
-                     fmt::format("{}", fmt::join(language_names(), ", ")) + ", or all" +
-                     did_you_mean(word, language_names()));
-    list.push_back(*language);
+    list.push_back(language_of(word, "--code", ", or all"));
   }
   return list;
 }
@@ -116,9 +112,9 @@ std::string jump_picture(const Question& q, const Derivation& d) {
 }
 
 std::string command_line(const Question& q, const Derivation& d) {
-  std::string text = "shortfall export " + d.integrator + " --force " +
+  std::string text = "shortfall export " + word_for(q.program()) + " --force " +
                      (d.degree == 0 ? "constant" : "poly:" + std::to_string(d.degree));
-  if (d.substeps > 1) text += " --substeps " + std::to_string(d.substeps);
+  if (q.substep_count) text += " --substeps " + std::to_string(*q.substep_count);
   for (const std::string& p : q.parameters) text += " --param " + p;
   return text + " --html";
 }

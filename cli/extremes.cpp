@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 
+#include "analysis/algebra/error.hpp"
 #include "analysis/floating/extremes.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
@@ -16,6 +17,11 @@ struct ExtremesOptions : Question {
 
 void extremes(const ExtremesOptions& o) {
   const Program program = o.program();
+  if (o.substeps() > 1)
+    throw BadInput(
+        "the cases are about single steps; --substeps is for an integrator that counts its own (shortfall "
+        "show " +
+        program.name + ")");
   std::string text;
   nlohmann::ordered_json json{{"schema", "shortfall.extremes/1"},
                               {"integrator", program.name},

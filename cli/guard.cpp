@@ -47,10 +47,10 @@ int guard(const GuardWords& o) {
   options.only = {candidate(program, o.substep_count, values)};
   const Identification found = identify(log, options);
   const bool damped_so = !damping || found.matches.empty() || is_damping(found.matches[0], *damping);
-  const bool whole = found.breaks.empty() || std::ranges::none_of(found.breaks, [](const Break& b) {
-                       return b.kind == Break::Kind::unexplained || b.kind == Break::Kind::contact ||
-                              b.kind == Break::Kind::limit;
-                     });
+  const bool whole = std::ranges::none_of(found.breaks, [](const Break& b) {
+    return b.kind == Break::Kind::unexplained || b.kind == Break::Kind::contact ||
+           b.kind == Break::Kind::limit;
+  });
   const bool holds = found.kind == Identification::Kind::map && whole && damped_so;
   const std::string name = options.only[0].str();
   std::string reason;

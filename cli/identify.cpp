@@ -8,6 +8,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/identify/by_dt.hpp"
 #include "analysis/identify/identification.hpp"
+#include "analysis/program/catalogue.hpp"
 #include "analysis/program/parse.hpp"
 #include "cli/command.hpp"
 #include "cli/correct.hpp"
@@ -85,7 +86,7 @@ int identify_by_dt(const IdentifyWords& o) {
 /// What a user would ask `shortfall correct` about the map that was found.
 Question correction_question(const Identification& found, const Match& m) {
   Question q;
-  q.integrator = m.candidate.name();
+  q.integrator = word_for(*m.candidate.program);
   q.dt = found.dt.str();
   if (m.candidate.substep_count() > 1) q.substep_count = m.candidate.substep_count();
   for (const auto& [name, value] : m.candidate.fixed)

@@ -12,6 +12,7 @@
 #include "cli/command.hpp"
 #include "cli/jump_frames.hpp"
 #include "cli/jump_render.hpp"
+#include "cli/language.hpp"
 #include "cli/output.hpp"
 #include "cli/picture.hpp"
 #include "cli/quantity.hpp"
@@ -60,14 +61,6 @@ std::string unit_of(const std::string& height) {
   while (begin > 0 && std::isalpha(static_cast<unsigned char>(first[begin - 1]))) --begin;
   const std::string unit = first.substr(begin);
   return unit == "f" || unit == "d" ? "" : unit;
-}
-
-Language language_of(const std::string& word) {
-  if (const auto language = language_named(word)) return *language;
-  std::string known;
-  for (const std::string& name : language_names()) known += (known.empty() ? "" : ", ") + name;
-  throw BadInput("--lang '" + word.substr(0, 60) + "': we write " + known +
-                 did_you_mean(word, language_names()));
 }
 
 /// `jump --dt-file`: the frames are listed in a file.

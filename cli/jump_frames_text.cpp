@@ -238,9 +238,10 @@ class FramesPage {
       row("a fixed step",
           fmt::format(
               "dt = {} s from an accumulator, launched with {}: every fixed step is exact (proved), "
-              "and drawn less than dt late; highest frame {}, {} fixed steps, at {}, shortfall {}, all of "
+              "and drawn less than dt late; highest frame {}, {} fixed {}, at {}, shortfall {}, all of "
               "it sampling",
-              exact_text(a->dt), formula(launch), a->frame, a->steps.str(), amounts_.height(a->height),
+              exact_text(a->dt), formula(launch), a->frame, a->steps.str(),
+              a->steps == Rational(1) ? "step" : "steps", amounts_.height(a->height),
               amounts_.signed_difference(a->shortfall)));
     }
   }

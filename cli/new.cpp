@@ -59,7 +59,8 @@ void add_new(CLI::App& app, int&) {
       throw BadInput("new makes an integrator: shortfall new integrator FILE; found '" + *kind + "'");
     if (!path->ends_with(".integrator"))
       throw BadInput("the file's name ends in .integrator, found '" + *path + "'");
-    if (std::filesystem::exists(*path))
+    std::error_code unknown;  // a path that cannot be looked at is not written either, and says so then
+    if (std::filesystem::exists(*path, unknown))
       throw OutputError("'" + *path + "' exists already; choose another name or remove it");
     write_output(integrator_template(name_from(*path)), *path);
     say("wrote " + *path + "; now: shortfall derive " + *path);

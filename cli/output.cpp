@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
+#include <system_error>
 
 namespace shortfall::cli {
 
@@ -28,15 +30,28 @@ std::string cannot(const std::string& path, int error) {
   return "cannot write '" + path + "': " + std::strerror(error);
 }
 
+/// What is behind symbolic links: they stay, and the file that they name is replaced.
+std::string behind_links(std::filesystem::path path) {
+  constexpr int kMostLinks = 40;  // as many as Linux follows
+  std::error_code error;
+  for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(path, error); ++i) {
+    const std::filesystem::path target = std::filesystem::read_symlink(path, error);
+    if (error) break;
+    path = path.parent_path() / target;
+  }
+  return path.string();
+}
+
 }  // namespace
 
-void write_output(const std::string& text, const std::string& path) {
-  if (path.empty() || path == "-") {
+void write_output(const std::string& text, const std::string& named) {
+  if (named.empty() || named == "-" || named == "/dev/stdout") {
     const int error = write_all(STDOUT_FILENO, text);
     if (error != 0 && error != EPIPE)
       throw OutputError(std::string("cannot write to the output: ") + std::strerror(error));
     return;
   }
+  const std::string path = behind_links(named);
   struct stat status {};
   const bool exists = ::stat(path.c_str(), &status) == 0;
   if (exists && S_ISDIR(status.st_mode)) throw OutputError(cannot(path, EISDIR));

@@ -13,7 +13,7 @@ class OutputError : public std::runtime_error {
 };
 
 /// Writes a whole text to stdout, or to a file when a path is given: under a temporary name first, so that
-/// nothing is ever half-written.
+/// nothing is ever half-written. A symbolic link stays one: the file that it names is written.
 ///
 /// A closed pipe on stdout is quiet.
 /// throws  OutputError

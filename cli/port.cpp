@@ -9,6 +9,7 @@
 #include "analysis/identify/port.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "cli/command.hpp"
+#include "cli/language.hpp"
 #include "cli/output.hpp"
 #include "cli/quantity.hpp"
 #include "notebooks-export/code.hpp"
@@ -60,8 +61,7 @@ std::string port_code(const PortQuestion& q, const Port& p, Language language) {
 
 void port_motion(const PortWords& o) {
   std::optional<Language> language;
-  if (!o.language.empty() && !(language = language_named(o.language)))
-    throw BadInput("--lang '" + o.language.substr(0, 40) + "' is no language of ours");
+  if (!o.language.empty()) language = language_of(o.language);
   const Program from = o.program(), to = find_integrator(o.to);
   const PortQuestion q = question(o, from, to);
   const Port p = port(q);

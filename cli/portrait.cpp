@@ -43,7 +43,6 @@ PortraitQuestion::Start start_of(const std::string& text) {
 
 void portrait_command(const PortraitOptions& o) {
   check_picture_name(o.plot);
-  if (o.json && o.csv) throw BadInput("--json and --csv: give one of them");
   PortraitQuestion q;
   q.potential = potential_of(o.potential);
   q.h = o.step();

@@ -18,7 +18,7 @@ struct Scale {
   int denominator;
 };
 
-constexpr std::array<Scale, 10> kScales{{{"mm", Unit::length, 1, 1000},
+constexpr std::array<Scale, 11> kScales{{{"mm", Unit::length, 1, 1000},
                                          {"cm", Unit::length, 1, 100},
                                          {"km", Unit::length, 1000, 1},
                                          {"px", Unit::length, 1, 1},
@@ -27,13 +27,14 @@ constexpr std::array<Scale, 10> kScales{{{"mm", Unit::length, 1, 1000},
                                          {"min", Unit::time, 60, 1},
                                          {"s", Unit::time, 1, 1},
                                          {"h", Unit::time, 3600, 1},
-                                         {"Hz", Unit::time, 1, 1}}};
+                                         {"Hz", Unit::time, 1, 1},
+                                         {"fps", Unit::time, 1, 1}}};
 
-std::string known_units(Unit unit) {
-  std::string text;
+std::vector<std::string> known_units(Unit unit) {
+  std::vector<std::string> names;
   for (const Scale& s : kScales)
-    if (s.unit == unit) text += (text.empty() ? "" : ", ") + std::string(s.name);
-  return text;
+    if (s.unit == unit) names.emplace_back(s.name);
+  return names;
 }
 
 }  // namespace
@@ -62,16 +63,20 @@ Rational quantity(std::string_view text, Unit unit, const std::string& what) {
   }
   for (const Scale& s : kScales) {
     if (s.name != suffix || s.unit != unit) continue;
-    if (s.name != "Hz") return value * Rational(s.numerator, s.denominator);
+    if (s.name != "Hz" && s.name != "fps") return value * Rational(s.numerator, s.denominator);
     if (value.is_zero()) throw complain("0 Hz is no step");
     return Rational(1) / value;
   }
   if (unit == Unit::none) throw complain("it takes no unit, found '" + std::string(suffix) + "'");
-  throw complain("unknown unit '" + std::string(suffix) + "'; the units are " + known_units(unit));
+  const std::vector<std::string> names = known_units(unit);
+  std::string list;
+  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
+  throw complain("unknown unit '" + std::string(suffix) + "'" + did_you_mean(std::string(suffix), names) +
+                 "; the units are " + list);
 }
 
 Rational positive_quantity(std::string_view text, Unit unit, const std::string& what) {
-  const Rational value = quantity(text, unit, what);
+  Rational value = quantity(text, unit, what);
   if (value.sign() <= 0)
     throw BadInput(what + " '" + std::string(text.substr(0, 60)) + "': it must be greater than 0");
   return value;

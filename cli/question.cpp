@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
 #include <charconv>
 
 #include "analysis/algebra/error.hpp"
@@ -103,6 +104,23 @@ void add_output(CLI::App& command, Question& q) {
   command.add_option("-o,--output", q.output, "write to this file")->type_name("FILE");
 }
 
+namespace {
+
+/// The kinds of output: one command prints one of them.
+constexpr std::array<const char*, 4> kKinds{"--json", "--csv", "--latex", "--lang"};
+
+void refuse_two_kinds(const CLI::App& command) {
+  const char* first = nullptr;
+  for (const char* kind : kKinds) {
+    const CLI::Option* option = command.get_option_no_throw(kind);
+    if (!option || option->count() == 0) continue;
+    if (first) throw BadInput(std::string(first) + " and " + kind + ": give one of them");
+    first = kind;
+  }
+}
+
+}  // namespace
+
 CLI::App* new_command(CLI::App& app, const std::string& group, const std::string& name,
                       const std::string& what, const std::vector<std::string>& examples) {
   CLI::App* command = app.add_subcommand(name, what);
@@ -111,6 +129,8 @@ CLI::App* new_command(CLI::App& app, const std::string& group, const std::string
   for (const std::string& e : examples) text += "  shortfall " + e + "\n";
   command->footer("");
   command->description(text + "\n" + what);
+  if (name != "export")  // it writes as many files as it is asked for
+    command->parse_complete_callback([command] { refuse_two_kinds(*command); });
   return command;
 }
 

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/motion/agreement.hpp"
 #include "analysis/program/print.hpp"
-#include "analysis/program/suggest.hpp"
 #include "analysis/program/version.hpp"
 #include "analysis/stability/stability_claims.hpp"
 #include "cli/command.hpp"
+#include "cli/language.hpp"
 #include "cli/output.hpp"
 #include "notebooks-export/code_class.hpp"
 
@@ -26,13 +24,7 @@ std::string holding(const ClaimVerdict& v) {
 }
 
 int show_code(const Question& q, const std::string& word) {
-  if (q.json) throw BadInput("--lang and --json exclude each other");
-  const auto language = language_named(word);
-  if (!language)
-    throw BadInput("--lang '" + word.substr(0, 60) + "': we write " +
-                   fmt::format("{}", fmt::join(language_names(), ", ")) +
-                   did_you_mean(word, language_names()));
-  write_output(integrator_code(q.program(), q.values(), q.substeps(), *language), q.output);
+  write_output(integrator_code(q.program(), q.values(), q.substeps(), language_of(word)), q.output);
   return kDone;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/spring_report.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 struct SpringOptions : Question {
   std::string frequency;
-  std::string ratio = "0";
+  std::optional<std::string> ratio;
   std::string k;
   std::string c;
   bool held = false;
@@ -39,10 +40,12 @@ SpringQuestion question(const SpringOptions& o) {
     const bool hertz = o.frequency.ends_with("Hz");
     const Rational period =
         positive_quantity(hertz ? o.frequency : o.frequency + "Hz", Unit::time, "--frequency");
-    const Rational ratio = quantity(o.ratio, Unit::none, "--damping-ratio");
-    if (ratio.sign() < 0) throw BadInput("--damping-ratio " + o.ratio.substr(0, 40) + ": 0 or more");
+    const std::string given = o.ratio.value_or("0");
+    const Rational ratio = quantity(given, Unit::none, "--damping-ratio");
+    if (ratio.sign() < 0) throw BadInput("--damping-ratio " + given.substr(0, 40) + ": 0 or more");
     set_spring(q, Rational(1) / period, ratio);
   } else {
+    if (o.ratio) throw BadInput("--damping-ratio goes with --frequency; with --k it is --c");
     q.k = quantity(o.k, Unit::none, "--k");
     if (q.k.sign() <= 0)
       throw BadInput(
@@ -81,9 +84,9 @@ void add_spring(CLI::App& app, int&) {
   auto o = std::make_shared<SpringOptions>();
   add_integrator(*command, *o);
   command->add_option("--frequency", o->frequency, "of the undamped spring: 2Hz")->type_name("F");
-  command->add_option("--damping-ratio", o->ratio, "1 is critical")->capture_default_str()->type_name("Z");
-  command->add_option("--k", o->k, "stiffness for each unit of mass, 1/s^2")->type_name("K");
-  command->add_option("--c", o->c, "damping for each unit of mass, 1/s")->type_name("C");
+  command->add_option("--damping-ratio", o->ratio, "with --frequency; 1 is critical, 0 the default")->type_name("Z");
+  command->add_option("--k", o->k, "instead of --frequency: stiffness for each unit of mass, 1/s^2")->type_name("K");
+  command->add_option("--c", o->c, "with --k: damping for each unit of mass, 1/s")->type_name("C");
   command->add_flag("--held", o->held, "the force is computed once a frame and held over the substeps");
   add_parameters(*command, *o);
   add_time_step(*command, *o);

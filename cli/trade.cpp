@@ -25,37 +25,57 @@ struct TradeOptions {
   bool no_peers = false, no_launches = false, json = false, csv = false;
 };
 
-int trade_on(const Machines& machines, const TradeOptions& o) {
-  check_picture_name(o.plot);
-  if (o.json && o.csv) throw BadInput("--json and --csv: give one of them");
-  Scene scene = scene_from(o.scene, o.until);
+/// What has to be right before a point is done.
+struct Begun {
+  Scene scene;
   TradeQuestion question;
-  question.integrators = words_of(o.integrators);
-  question.formats = words_of(o.formats);
-  question.repeats = o.repeats;
-  question.peers = !o.no_peers;
-  question.at_once = o.at_once;
-  if (o.at_once > 0 && o.repeats == 0)
-    throw BadInput("--lanes asks what a motion costs in company, and --repeats 0 measures no times");
-  question.launches = !o.no_launches;
-  if (!o.steps.empty())
-    for (const Rational& h : sweep(o.steps, Unit::time, "--dt"))
-      question.steps.push_back(scene.units.from_si(h, {0, 1, 0}));
-  std::ranges::sort(question.steps, std::greater<>());
-  question.run_points = [&](std::size_t count, const auto& one, const Progress& progress) {
-    return machines.run_points(count, one, progress);
-  };
-  if (!machines.speaks()) {  // times mean something only where nothing else runs
-    question.repeats = 0;
-    question.peers = false;
-    question.at_once = 0;
-  }
   std::optional<PointStore> store;
-  if (!o.store.empty()) question.store = &store.emplace(o.store);
+
+  Begun(const Machines& machines, const TradeOptions& o) {
+    check_picture_name(o.plot);
+    scene = scene_from(o.scene, o.until);
+    question.integrators = words_of(o.integrators);
+    question.formats = words_of(o.formats);
+    question.repeats = o.repeats;
+    question.peers = !o.no_peers;
+    question.at_once = o.at_once;
+    if (o.at_once > 0 && o.repeats == 0)
+      throw BadInput("--lanes asks what a motion costs in company, and --repeats 0 measures no times");
+    question.launches = !o.no_launches;
+    if (!o.steps.empty())
+      for (const Rational& h : sweep(o.steps, Unit::time, "--dt"))
+        question.steps.push_back(scene.units.from_si(h, {0, 1, 0}));
+    std::ranges::sort(question.steps, std::greater<>());
+    question.run_points = [&machines](std::size_t count, const auto& one, const Progress& progress) {
+      return machines.run_points(count, one, progress);
+    };
+    if (!machines.speaks()) {  // times mean something only where nothing else runs
+      question.repeats = 0;
+      question.peers = false;
+      question.at_once = 0;
+    }
+    if (!o.store.empty()) question.store = &store.emplace(o.store);
+  }
+  Begun(const Begun&) = delete;
+  Begun& operator=(const Begun&) = delete;
+};
+
+int trade_on(const Machines& machines, const TradeOptions& o) {
+  std::optional<Begun> begun;
+  try {
+    begun.emplace(machines, o);
+  } catch (const std::exception& e) {
+    const auto first = machines.unready(false);
+    if (!machines.speaks() && machines.is(*first))
+      say("shortfall: process " + std::to_string(*first) + " of mpirun: " + e.what());
+    throw;
+  }
+  if (const auto other = machines.unready(true))
+    throw OutputError("process " + std::to_string(*other) + " of mpirun cannot begin, and says why");
   Trade result;
   {
     ProgressLine line;
-    result = trade(scene, question, line.progress());
+    result = trade(begun->scene, begun->question, line.progress());
   }
   if (!machines.speaks()) return kDone;
   if (!o.plot.empty()) {
@@ -75,7 +95,7 @@ int trade_command(const TradeOptions& o) {
   try {
     return trade_on(machines, o);
   } catch (const std::exception&) {
-    return kUsage;  // the first process says what is wrong, once
+    return kUsage;  // said already, by the first process that something went wrong on
   }
 }
 

@@ -21,6 +21,8 @@ using Json = nlohmann::ordered_json;
 Json as_json(const Verdict& v, const std::string& quantity, const Expr& claimed) {
   Json json{
       {"quantity", quantity}, {"claimed", print(claimed)}, {"proved", v.proved}, {"found", print(v.found)}};
+  json["found_from"] = v.found_from;
+  json["holds_from"] = v.holds_from ? Json(*v.holds_from) : Json(nullptr);
   json["counter_example"] = nullptr;
   if (v.counter_example) {
     Json values;
@@ -48,7 +50,11 @@ std::string as_text(const Verdict& v, const std::string& quantity, const Expr& c
   if (!zero.empty()) text += " (the rest 0)";
   text +=
       "\n    the integrator gives " + c.computed.str() + ", the formula " + c.claimed.str() + " (exact)\n";
-  return text + "  right is: " + print(v.found, style) + "\n";
+  if (v.holds_from)
+    return text + "  from n = " + std::to_string(*v.holds_from) +
+           " on it holds (proved): before that, the start is still felt\n";
+  return text + "  right is: " + print(v.found, style) +
+         (v.found_from > 0 ? ", for n >= " + std::to_string(v.found_from) : "") + "\n";
 }
 
 int verify(const Question& q, const std::string& x, const std::string& v) {

@@ -23,6 +23,10 @@ std::vector<std::string> corpus(int count, char** paths) {
   namespace fs = std::filesystem;
   std::vector<fs::path> files;
   for (int i = 0; i < count; ++i) {
+    if (!fs::exists(paths[i])) {
+      std::fprintf(stderr, "no corpus at %s\n", paths[i]);
+      std::exit(2);
+    }
     if (fs::is_directory(paths[i])) {
       for (const auto& entry : fs::recursive_directory_iterator(paths[i]))
         if (entry.is_regular_file()) files.push_back(entry.path());

@@ -17,12 +17,17 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   names.force = false;
   names.functions = Functions::all;
   names.symbolic_powers = true;
+  std::string printed;
   try {
-    const Expr read = parse_formula(text_of(data, size), "--x", names, {Sort::vector, kLength});
-    const std::string printed = print(read);
+    printed = print(parse_formula(text_of(data, size), "--x", names, {Sort::vector, kLength}));
+  } catch (const Error&) {
+    return 0;
+  }
+  try {
     const Expr again = parse_formula(printed, "printed", names, {Sort::vector, kLength});
     require(print(again) == printed, "a formula prints to another one");
-  } catch (const Error&) {
+  } catch (const Error& e) {
+    require(false, e.what());
   }
   return 0;
 }

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "analysis/algebra/general_text.hpp"
 #include "notebooks-export/text_table.hpp"
 
 namespace shortfall {
@@ -46,9 +46,7 @@ std::string shown(const Ball& value, const BudgetScale& scale, int digits = kBud
 std::string bound_text(double bound) {
   if (bound == 0 || !std::isfinite(bound)) return bound == 0 ? "0" : "none";
   const double unit = std::pow(10.0, std::floor(std::log10(bound)) - 1);
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.2g", std::ceil(bound / unit) * unit);
-  return text.data();
+  return general_text(std::ceil(bound / unit) * unit, 2);
 }
 
 std::string quantity_words(const Budget& b, const BudgetLine& l) {
@@ -141,9 +139,7 @@ std::string tracked_words(const Budget& b) {
   if (!b.tracked) return "";
   const double tracked = b.tracked->first;
   std::string text = "  " + b.format.name() + ": rounding of x as tracked beside the run, ";
-  std::array<char, 32> number{};
-  std::snprintf(number.data(), number.size(), "%.6g", tracked);
-  text += std::string(number.data()) + " m";
+  text += general_text(tracked, 6) + " m";
   if (b.lines.empty()) return text + "\n";
   const auto exact = std::ranges::find(b.lines[0].terms, "rounding", &BudgetTerm::name);
   if (exact == b.lines[0].terms.end()) return text + "\n";
@@ -311,11 +307,10 @@ Figure budget_figure(const std::vector<Budget>& budgets, const std::string& titl
            0.6});
       low = std::min({low, from, to});
       high = std::max({high, from, to});
-      std::array<char, 32> number{};
-      std::snprintf(number.data(), number.size(), "%.3g", value.to_double() * factor);
       const Figure::Point top{at + 0.5, std::max(from, to)};
       panel.labels.push_back({top, name, Figure::Ink::black, Figure::Align::centre, 1.9});
-      panel.labels.push_back({top, number.data(), Figure::Ink::dark, Figure::Align::centre, 0.7});
+      panel.labels.push_back(
+          {top, general_text(value.to_double() * factor, 3), Figure::Ink::dark, Figure::Align::centre, 0.7});
     };
     constexpr std::array<Figure::Ink, 4> kInks{Figure::Ink::sky, Figure::Ink::orange, Figure::Ink::green,
                                                Figure::Ink::vermillion};

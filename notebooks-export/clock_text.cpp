@@ -161,13 +161,15 @@ std::string Text::how(const CompensatedClock& sum) const {
       return "all additions were carried out" +
              (sum.frozen_after ? "; it stops after " + sum.frozen_after->str() : std::string());
     case CompensatedClock::Kind::bounded:
-      return "a bound, proved; the value only up to " + q_.most_stepped.str() + " additions, or " +
-             counted(sum.closed_until) + " in closed form";
+      return "a bound, proved; the value only up to " +
+             (q_.additions > q_.most_stepped ? q_.most_stepped.str() + " additions, or " : std::string()) +
+             counted(sum.closed_until) + " additions in closed form";
     case CompensatedClock::Kind::unknown:
       break;
   }
   return "neither a closed form nor a bound is proved here, and " + q_.additions.str() +
-         " additions are too many to carry out";
+         (q_.additions > q_.most_stepped ? " additions are too many to carry out"
+                                         : " additions of numbers so different are not carried out");
 }
 
 std::string Text::row(const ClockSpeed& s, const ClockSpeed& last) const {
@@ -178,8 +180,15 @@ std::string Text::row(const ClockSpeed& s, const ClockSpeed& last) const {
     return handy || power.empty() ? shown(value, 6) : power;
   };
   const bool here = s.before < q_.additions && q_.additions <= last.before + last.additions;
+  // A range goes away from 0; sums that come nearer to it go through it the other way.
+  const auto nearer = [](const ClockSpeed& speed, const ClockRange& r) {
+    return !speed.exact && speed.increment.sign() * (r.from + r.to).sign() < 0;
+  };
+  const ClockRange first = range(s, q_.format), final = range(last, q_.format);
   std::string text = std::string(here ? "> " : "  ") +
-                     padded(end(range(s, q_.format).from) + " to " + end(range(last, q_.format).to), 24) +
+                     padded(end(nearer(s, first) ? first.to : first.from) + " to " +
+                                end(nearer(last, final) ? final.from : final.to),
+                            24) +
                      " " + padded(counted(s.before + Rational(1)), 21) + " ";
   text += padded(shown(s.increment, 9), 19) + " " + padded(signed_text(s.parts_per_million(), 6), 16);
   if (!q_.velocity) text += " " + signed_text(s.lost_per_hour(), 6);

@@ -5,10 +5,10 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <set>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/general_text.hpp"
 #include "analysis/program/code_writer.hpp"
 
 namespace shortfall {
@@ -139,7 +139,6 @@ class LanguageWriter : public CodeWriter {
       case Language::cpp:
         return "std::" + name;
       case Language::gdscript:
-        return name;
       case Language::python:
         return name;
       case Language::rust:
@@ -268,9 +267,7 @@ std::string code_in_binary64(const Expr& e, Language language,
 }
 
 std::string decimal_literal(double value, Language language) {
-  char text[40];
-  std::snprintf(text, sizeof text, is_binary32(language) ? "%.9g" : "%.17g", value);
-  std::string digits = text;
+  std::string digits = general_text(value, is_binary32(language) ? 9 : 17);
   if (digits.find_first_of(".e") == std::string::npos) digits += ".0";
   if (digits.find('e') != std::string::npos && digits.find('.') == std::string::npos)
     digits.insert(digits.find('e'), ".0");

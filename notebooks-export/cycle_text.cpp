@@ -42,7 +42,8 @@ std::string as_text(const CycleSearch& search, const FloatFormat& format, const 
       text += "    the spring's is " + double_text(truth, 12) + " Hz: the run gains " +
               double_text((frequency(c, q).to_double() / truth - 1) * 1e6, 6) + " millionths (rounded)\n";
   } else {
-    text += "  it comes to rest: no oscillation in one period\n";
+    text += c.period == 1 ? "  from then on position and velocity stay the same numbers\n"
+                          : "  no oscillation in one period\n";
   }
   text += "  ever: |x| at most " + double_text(c.largest_x, 9) + " m, |v| at most " +
           double_text(c.largest_v, 9) + " m/s\n";

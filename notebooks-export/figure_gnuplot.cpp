@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/general_text.hpp"
 #include "notebooks-export/figure_palette.hpp"
 
 namespace shortfall {
@@ -43,11 +44,7 @@ std::string rgb(const Colour& c, double strength = 1) {
   return text.data();
 }
 
-std::string number_text(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.7g", value);
-  return text.data();
-}
+std::string number_text(double value) { return general_text(value, 7); }
 
 std::string gnuplot_quoted(const std::string& text) {
   std::string result = "'";
@@ -91,7 +88,7 @@ class PanelWriter {
 
  private:
   std::string block(const std::vector<Figure::Path>& paths) {
-    const std::string name = prefix_ + std::to_string(count_++);
+    std::string name = prefix_ + std::to_string(count_++);
     data_ += name + " << END_OF_DATA\n";
     for (std::size_t i = 0; i < paths.size(); ++i) {
       if (i > 0) data_ += "\n";

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/general_text.hpp"
 #include "notebooks-export/figure_labels.hpp"
 
 namespace shortfall {
@@ -20,11 +20,7 @@ constexpr int kFine = 200;           // points of a smooth curve
 constexpr int kMostFrames = 2000;    // beyond that there is no picture
 constexpr int kMostFrameMarks = 60;  // beyond that frames are a line
 
-std::string rate_text(const Rational& dt) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), "%.6g Hz", 1 / dt.to_double());
-  return text.data();
-}
+std::string rate_text(const Rational& dt) { return general_text(1 / dt.to_double(), 6) + " Hz"; }
 
 }  // namespace
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 
+#include "analysis/algebra/general_text.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/stability/radicals.hpp"
 #include "analysis/stability/sampled.hpp"
@@ -18,11 +18,7 @@ namespace {
 using Ink = Figure::Ink;
 using Align = Figure::Align;
 
-std::string short_number(double value) {
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.4g", value);
-  return text.data();
-}
+std::string short_number(double value) { return general_text(value, 4); }
 
 /// "2 √2 = 2.828", "2.507", "2".
 std::string value_text(const RealRoot& r) {

@@ -173,7 +173,8 @@ class KitWriter {
 
   void drop_unused(const std::vector<Expr>& formulas) {
     const std::set<std::string> kept{"h", "last move"};
-    for (const auto& [ours, theirs] : names_) {
+    for (const auto& names : names_) {
+      const std::string &ours = names.first, &theirs = names.second;
       const bool used = kept.contains(ours) || ours.starts_with("given ") ||
                         std::ranges::any_of(unknowns_, [&](Letter u) { return kit_.letters[u] == ours; }) ||
                         std::ranges::any_of(formulas, [&](const Expr& e) { return mentions(e, ours); });

@@ -15,7 +15,6 @@ namespace shortfall {
 /// Where the parameters are roots of equations the class solves these by Newton's method, followed from small
 /// steps up to dt; where it finds none, or where the kit is known not to reach, they are NaN.
 ///
-/// param   force  of the true motion
 /// throws  Undefined  when there is no kit, with the obstruction;  Unable  when a formula cannot be written
 std::string linear_kit_code(const LinearKit& kit, const LinearDerivation& derivation, Language language);
 

@@ -81,13 +81,14 @@ void tell_derivation(PageDocument& page, const Derivation& d) {
                    " on; before, the start of the integrator is still felt.");
 }
 
-void tell_corrections(PageDocument& page, const CorrectionKit& kit) {
+void tell_corrections(PageDocument& page, const Derivation& d, const CorrectionKit& kit) {
   if (!kit.needed) return;
   page.section("Corrections, and where there are none");
   for (const CorrectionOption& o : kit.options) {
     page.html("<h3>" + html_escaped(o.name) + "</h3>");
     if (o.exists)
-      page.html("<p><span class=\"proved\">Exact for every n.</span></p>\n" + correction_list(o));
+      page.html("<p><span class=\"proved\">Exact for every n" + html_escaped(from_words(d)) +
+                ".</span></p>\n" + correction_list(o));
     else
       page.html("<p><span class=\"not\">Does not exist:</span> " + html_escaped(sentence(o.obstruction)) +
                 "</p>");
@@ -129,7 +130,7 @@ std::string page(const Program& program, const Derivation& d, const CorrectionKi
   page.formula(equation("x(t)", d.exact_position));
   page.formula(equation("v(t)", d.exact_velocity));
   tell_derivation(page, d);
-  tell_corrections(page, kit);
+  tell_corrections(page, d, kit);
   if (!sources.empty()) {
     page.section("Code");
     page.tabs("Programming languages", sources);

@@ -14,7 +14,7 @@ namespace shortfall {
 
 namespace {
 
-std::optional<std::string> file_text(const std::string& path) {
+std::optional<std::string> bytes_of(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   if (!file) return std::nullopt;
   return std::string(std::istreambuf_iterator<char>(file), {});
@@ -30,7 +30,7 @@ std::string with_fonts(const std::string& css, const std::string& folder) {
     const std::size_t open = css.find("url(", at), close = css.find(')', open);
     std::string name = css.substr(open + 4, close - open - 4);
     std::erase_if(name, [](char c) { return c == '"' || c == '\''; });
-    const auto font = file_text(folder + "/" + name);
+    const auto font = bytes_of(folder + "/" + name);
     result += css.substr(done, at - done);
     if (font && name.ends_with(".woff2"))
       result += "src:url(data:font/woff2;base64," + base64(*font) + ") format(\"woff2\")";
@@ -156,8 +156,8 @@ std::string PageDocument::text() const {
   const std::string folder = katex_folder();
   std::string katex;
   if (!folder.empty()) {
-    page += "<style>\n" + with_fonts(*file_text(folder + "/katex.min.css"), folder) + "\n</style>\n";
-    katex = script_element(*file_text(folder + "/katex.min.js") + "\n");
+    page += "<style>\n" + with_fonts(*bytes_of(folder + "/katex.min.css"), folder) + "\n</style>\n";
+    katex = script_element(*bytes_of(folder + "/katex.min.js") + "\n");
   }
   page += "<style>\n" + page_texts().at("page.css") + "</style>\n</head>\n<body>\n";
   page += "<a class=\"skip\" href=\"#content\">To the content</a>\n<header><h1>" + html_escaped(title_) +

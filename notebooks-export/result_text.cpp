@@ -87,12 +87,17 @@ std::string sentence(const RandomCheck& check) {
          ".";
 }
 
+std::string from_words(const Derivation& d) {
+  return d.form.valid_from > 0 ? " >= " + std::to_string(d.form.valid_from) : "";
+}
+
 std::string as_text(const CorrectionKit& kit, const Derivation& d, Style style) {
   if (!kit.needed)
     return "Nothing to correct: position and velocity are exact for this force at every step.\n";
   std::string text;
+  const std::string exact = "exact for every n" + from_words(d);
   for (const CorrectionOption& o : kit.options) {
-    text += "  " + o.name + ": " + (o.exists ? "exact for every n" : "does not exist") + "\n";
+    text += "  " + o.name + ": " + (o.exists ? exact : "does not exist") + "\n";
     if (o.exists)
       append_corrections(text, o, style);
     else

@@ -13,6 +13,9 @@ namespace shortfall {
 /// proofs.
 std::string as_text(const Derivation& derivation, const CorrectionKit* kit, Style style);
 
+/// " >= 1" where formulas hold from n = 1 on, since the start is felt before; empty where they always hold.
+std::string from_words(const Derivation& derivation);
+
 /// The correction kit alone.
 std::string as_text(const CorrectionKit& kit, const Derivation& derivation, Style style);
 

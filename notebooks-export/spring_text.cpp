@@ -84,6 +84,9 @@ std::string as_text(const SpringReport& r, const SpringReport& native, Style sty
       row("amplitude after 1 s, of 1", digits_or_zero(r.effective.growth), digits_or_zero(r.truth.growth));
   text += row("T", digits_or_zero(r.effective.trace), digits_or_zero(r.truth.trace));
   text += row("D", digits_or_zero(r.effective.determinant), digits_or_zero(r.truth.determinant));
+  if (r.truth.frequency &&
+      (*r.truth.frequency * Ball(q.h * 2, r.truth.frequency->bits())).to_double() > 1.0000001)
+    text += "  (the true spring swings faster than half the tick rate: frames show it slower than it is)\n";
   text +=
       "\nThe same spring as engines do it themselves, implicitly: v := (v - h k x)/(1 + h c + h^2 k), x := x "
       "+ h v" +

@@ -163,6 +163,7 @@ Json as_json(const Stability& s) {
   json["dt"] = s.dt ? Json(s.dt->str()) : Json(nullptr);
   json["rounded"] = s.rounded;
   json["formulas_of"] = s.of_substep ? "substep" : "frame";
+  json["eigenvalues_of"] = s.substeps > 1 ? "substep" : "frame";
   add_amplification(json, s.undamped);
   json["stable"] = summary(s.windows);
   json["limit"] = limit_json(s.windows);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/stability_text.hpp"
 
-#include <array>
-#include <cstdio>
+#include <numbers>
 #include <utility>
 
+#include "analysis/algebra/general_text.hpp"
 #include "notebooks-export/stability_words.hpp"
 
 namespace shortfall {
@@ -98,9 +98,7 @@ class StabilityWriter {
   }
 
   std::string steps_a_period() const {
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.5g", 2 * 3.141592653589793 / s_.limit()->to_double());
-    return std::string(text.data()) +
+    return general_text(2 * std::numbers::pi / s_.limit()->to_double(), 5) +
            (s_.substeps > 1 ? " (of " + std::to_string(s_.substeps) + " substeps each)" : "");
   }
 
@@ -111,7 +109,9 @@ class StabilityWriter {
     }
     const LimitMotion* motion = s_.limit_motion ? &*s_.limit_motion : nullptr;
     line("at the limit", growth_sentence(*s_.at_limit, motion, style_));
-    line("", growth_reason(*s_.at_limit, style_));
+    const std::string reason = growth_reason(*s_.at_limit, style_);
+    // Signs of a frame's would be others: the powers of one substep's.
+    line("", reason + (s_.substeps > 1 && !reason.empty() ? " (of one substep)" : ""));
     if (!motion) return;
     line("", (unicode() ? "xₙ = " : "x(n) = ") + formula(motion->position));
     line("", (unicode() ? "vₙ = " : "v(n) = ") + formula(motion->velocity));

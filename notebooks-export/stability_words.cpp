@@ -2,9 +2,8 @@
 #include "notebooks-export/stability_words.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cstdio>
 
+#include "analysis/algebra/general_text.hpp"
 #include "analysis/problems/letters.hpp"
 #include "analysis/stability/isolation.hpp"
 #include "analysis/stability/radicals.hpp"
@@ -84,13 +83,11 @@ Expr stability_function_formula(const StabilityFunction& r) {
 
 std::string algebraic_text(const Algebraic& a, Style style) {
   if (a.is_rational()) return a.rational().str();
-  std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), "%.10g", a.to_double());
-  return (style == Style::unicode ? "≈ " : "~ ") + std::string(text.data());
+  return (style == Style::unicode ? "≈ " : "~ ") + general_text(a.to_double(), 10);
 }
 
 std::string value_words(const RealRoot& r, Style style, int digits) {
-  const std::string decimal =
+  std::string decimal =
       r.is_rational() ? without_zeros_behind_point(r.significant(digits)) : r.significant(digits);
   const auto formula = radical_formula(r);
   if (!formula) return decimal;
@@ -105,9 +102,9 @@ std::string exact_number(const RealRoot& r, Style style, int digits) {
 }
 
 std::string parameter_text(const Rational& value) {
-  const std::string fraction = value.str();
+  std::string fraction = value.str();
   for (int places = 1; places < static_cast<int>(fraction.size()); ++places) {
-    const std::string decimal = value.decimal(places);
+    std::string decimal = value.decimal(places);
     if (Rational::parse(decimal) == value) return decimal.size() < fraction.size() ? decimal : fraction;
   }
   return fraction;
@@ -135,7 +132,7 @@ std::string window_text(const Window& w, const std::string& letter, Style style)
 std::string growth_sentence(const PowerGrowth& growth, const LimitMotion* motion, Style style) {
   if (growth.kind == PowerGrowth::Kind::exponential) return "grows exponentially";
   if (growth.bounded()) return growth.decays ? "decays" : "stays bounded";
-  const std::string grows = growth_words(growth.degree);
+  std::string grows = growth_words(growth.degree);
   if (!motion) return grows;
   const bool x = !is_number(motion->position_growth, 0), v = !is_number(motion->velocity_growth, 0);
   if (!x && !v) return "stays bounded, though other starting values of what is carried would grow";

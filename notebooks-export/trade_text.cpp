@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/trade_text.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 
 #include "notebooks-export/text_table.hpp"
 
@@ -12,18 +12,12 @@ namespace shortfall {
 
 namespace {
 
-std::string formatted(const char* format, double value) {
-  std::array<char, 40> text{};
-  std::snprintf(text.data(), text.size(), format, value);
-  return text.data();
-}
-
 std::string cost_text(const Trade& trade, const SceneOutcome& o) {
   return trade.timed ? duration_text(o.nanoseconds) : std::to_string(o.evaluations);
 }
 
 std::string step_text(const Trade& trade, const SceneOutcome& o) {
-  if (o.tolerance > 0) return "tolerance " + formatted("%.0e", o.tolerance);
+  if (o.tolerance > 0) return "tolerance " + fmt::format("{:.0e}", o.tolerance);
   return short_number(o.choice.frame) + " " + trade.scene.units.time;
 }
 
@@ -32,7 +26,7 @@ std::string csv_quoted(const std::string& text) { return "\"" + text + "\""; }
 
 std::string order_text(const TradeSeries& s, std::size_t observable) {
   const auto& order = s.orders[observable];
-  return order ? formatted("%.2f", order->order) : "-";
+  return order ? fmt::format("{:.2f}", order->order) : "-";
 }
 
 std::string failures(const Trade& trade) {
@@ -61,16 +55,16 @@ nlohmann::ordered_json finite(double value) {
 }  // namespace
 
 std::string duration_text(double ns) {
-  if (ns < 1e3) return formatted("%.0f ns", ns);
-  if (ns < 1e6) return formatted("%.3g us", ns / 1e3);
-  if (ns < 1e9) return formatted("%.3g ms", ns / 1e6);
-  return formatted("%.3g s", ns / 1e9);
+  if (ns < 1e3) return fmt::format("{:.0f} ns", ns);
+  if (ns < 1e6) return fmt::format("{:.3g} us", ns / 1e3);
+  if (ns < 1e9) return fmt::format("{:.3g} ms", ns / 1e6);
+  return fmt::format("{:.3g} s", ns / 1e9);
 }
 
-std::string short_number(const Rational& value) { return formatted("%.6g", value.to_double()); }
+std::string short_number(const Rational& value) { return fmt::format("{:.6g}", value.to_double()); }
 
 std::string error_text(double value, const std::string& unit) {
-  return formatted("%.3g", value) + (unit.empty() ? "" : " " + unit);
+  return fmt::format("{:.3g}", value) + (unit.empty() ? "" : " " + unit);
 }
 
 CheapestPoints cheapest_points(const Trade& trade) {
@@ -142,12 +136,12 @@ std::string as_csv(const Trade& trade) {
   for (const TradeSeries& s : trade.series)
     for (const SceneOutcome& o : s.points) {
       text += csv_quoted(s.label) + "," + s.integrator + "," + s.format + "," + (s.launched ? "1" : "0") +
-              "," + formatted("%.17g", o.choice.frame.to_double()) + "," + std::to_string(o.choice.substeps) +
-              "," + formatted("%.3g", o.tolerance) + "," + std::to_string(o.steps) + "," +
-              std::to_string(o.evaluations) + "," + formatted("%.6g", o.nanoseconds) + "," +
-              (o.failed ? csv_quoted(o.why) : "");
+              "," + fmt::format("{:.17g}", o.choice.frame.to_double()) + "," +
+              std::to_string(o.choice.substeps) + "," + fmt::format("{:.3g}", o.tolerance) + "," +
+              std::to_string(o.steps) + "," + std::to_string(o.evaluations) + "," +
+              fmt::format("{:.6g}", o.nanoseconds) + "," + (o.failed ? csv_quoted(o.why) : "");
       for (std::size_t i = 0; i < trade.scene.observables.size(); ++i)
-        text += "," + (o.failed ? std::string() : formatted("%.9g", o.errors[i]));
+        text += "," + (o.failed ? std::string() : fmt::format("{:.9g}", o.errors[i]));
       text += "\n";
     }
   return text;

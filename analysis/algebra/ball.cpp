@@ -92,7 +92,7 @@ Ball::Ball(Ball&& other) noexcept : bits_(other.bits_) {
   arb_swap(raw(*this), raw(other));
 }
 
-Ball& Ball::operator=(const Ball& other) {
+Ball& Ball::operator=(const Ball& other) {  // NOLINT(bugprone-unhandled-self-assignment): arb_set handles it
   arb_set(raw(*this), raw(other));
   bits_ = other.bits_;
   return *this;

@@ -121,9 +121,29 @@ RealRoot RealRoot::refined(const Rational& width) const {
   if (result.high_ - result.low_ <= width) return result;
   const ExactSign sign(polynomial_);
   const int below = sign(low_);
-  while (result.high_ - result.low_ > width) {
-    Rational middle = (result.low_ + result.high_) / 2;
-    (sign(middle) == below ? result.low_ : result.high_) = std::move(middle);
+  const auto keep = [&](Rational x) {  // whether it is below the root
+    const bool is_below = sign(x) == below;
+    (is_below ? result.low_ : result.high_) = std::move(x);
+    return is_below;
+  };
+  constexpr int kByHalves = 64;
+  for (int i = 0; i < kByHalves && result.high_ - result.low_ > width; ++i)
+    keep((result.low_ + result.high_) / 2);
+  // Then the secant says in which of 2^bits parts the root lies; where it is right the parts become as many
+  // again, squared (Abbott (2006), Quadratic interval refinement for real roots).
+  for (long bits = 8; result.high_ - result.low_ > width;) {
+    const Rational size = result.high_ - result.low_;
+    bits = std::min(bits, static_cast<long>((size / width).floor().digits() * 10 / 3) + 2);
+    const Rational low = polynomial_.at(result.low_), parts = Rational(2).pow(static_cast<int>(bits)),
+                   part = size / parts;
+    const Rational share = (low / (low - polynomial_.at(result.high_)) * parts + Rational(1, 2)).floor();
+    const Rational guess = result.low_ + share * part;
+    const bool is_below = guess <= result.low_ || (guess < result.high_ && keep(guess));
+    const Rational other = is_below ? guess + part : guess - part;
+    const bool inside = result.low_ < other && other < result.high_;
+    const bool found = !inside || keep(other) != is_below;
+    bits = found ? 2 * bits : std::max(1L, bits / 2);
+    if (!found) keep((result.low_ + result.high_) / 2);
   }
   return result;
 }

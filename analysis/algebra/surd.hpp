@@ -55,7 +55,7 @@ class Surd {
     a /= b;
     return a;
   }
-  bool operator==(const Surd& other) const { return (*this <=> other) == 0; }
+  bool operator==(const Surd& other) const { return std::is_eq(*this <=> other); }
   std::strong_ordering operator<=>(const Surd& other) const;
   Surd abs() const { return sign() < 0 ? -*this : *this; }
 

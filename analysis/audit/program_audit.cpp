@@ -157,7 +157,7 @@ void add_facts(const Program& program, const std::optional<OrderDemand>& demand,
               std::to_string(parts.step.size()) + " kicks and drifts" +
               (is_palindrome(parts.step) ? ", a palindrome: symmetric" : ", no palindrome"));
           if (!parts.time_follows_drifts)
-            audit.facts.push_back("the force is not taken at the time that the drifts have reached");
+            audit.facts.emplace_back("the force is not taken at the time that the drifts have reached");
         }
       },
       reading.parts);
@@ -173,7 +173,7 @@ void add_facts(const Program& program, const std::optional<OrderDemand>& demand,
     }
     for (const std::string& note : source.notes()) audit.notes.push_back(note);
   } catch (const Error&) {
-    audit.facts.push_back(kNoOrder);
+    audit.facts.emplace_back(kNoOrder);
   }
 }
 

@@ -30,7 +30,7 @@ class KitValues {
       check_reach(values);
       std::vector<Ball> root;
       for (const Letter unknown : kit_.implicit->unknowns)
-        root.push_back(Ball(unknown == kStiffness ? *force_.k : force_.c.value_or(0), bits_));
+        root.emplace_back(unknown == kStiffness ? *force_.k : force_.c.value_or(0), bits_);
       for (int j = 1; j <= kContinuation; ++j) root = followed(letters(h * Rational(j, kContinuation)), root);
       const std::vector<Ball> proved = enclosed(values, root);
       for (std::size_t i = 0; i < proved.size(); ++i) values[unknown(i)] = proved[i];

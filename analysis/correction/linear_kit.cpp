@@ -68,8 +68,10 @@ class Matcher {
         throw Error("a root of the decay does not give the parameter");
       }
     }
-    if (found.kind == Matching::Kind::impossible && !force_.damper) {
-      kit_.notes.push_back(why_not_stiffness_alone(*step_, found.obstruction, names_));
+    if (found.kind == Matching::Kind::impossible && (!force_.damper || own_.decay)) {
+      kit_.notes.push_back(own_.decay ? "a stiffness alone is not enough: it changes the determinant of the "
+                                        "step, which the decay has to make"
+                                      : why_not_stiffness_alone(*step_, found.obstruction, names_));
       free.damper = true;
       found = match(free);
     }
@@ -210,7 +212,10 @@ class Matcher {
           : k ? "k"
               : "c",
           value,
-          std::string("give the integrator this ") + (k ? "stiffness" : "damping") +
+          std::string(k ? "give the integrator this stiffness"
+                      : !own && has_parameter("c")
+                          ? "give the force a damping -c v with this c, and keep the integrator's own"
+                          : "give the integrator this damping") +
               (own ? ", its parameter" : "") + ": the " + (k ? "frequency" : "decay") + " is then exact");
     }
     if (own_.decay && !force_.spring)
@@ -234,6 +239,10 @@ class Matcher {
   void add(LinearCorrection::Kind kind, const std::string& target, const Expr& value,
            const std::string& reason, const Expr& spelled = nullptr) {
     kit_.corrections.push_back({kind, target, value, reason, spelled ? spelled : value});
+  }
+
+  bool has_parameter(const std::string& name) const {
+    return std::ranges::find(program_.parameters, name, &Parameter::name) != program_.parameters.end();
   }
 
   Wording wording() const { return {names_, "n", true}; }
@@ -285,7 +294,7 @@ class Matcher {
           "report this velocity; go on with the integrator's own",
           combination(*solved.read_out, "x_n", "v_n", true, false));
     else
-      kit_.notes.push_back(
+      kit_.notes.emplace_back(
           "the reported velocity says nothing about the next position, so it has no read-out");
   }
 

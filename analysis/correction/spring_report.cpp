@@ -78,6 +78,33 @@ EffectiveSpring effective(const Ball& trace, const Ball& determinant, const Rati
   return e;
 }
 
+/// Of the physics itself, whose frequency frames may be too few to show.
+///
+/// param   critical  known to be so, which no ball can tell
+EffectiveSpring true_spring(const Ball& trace, const Ball& determinant, const Ball& k, const Ball& c,
+                            bool critical) {
+  EffectiveSpring e{trace, determinant, false, true, {}, {}, {}};  // c >= 0 and k > 0
+  const Ball two(2, kSpringBits), omega = sqrt(k), rate = c / two;
+  const Ball excess = rate * rate - k;
+  e.oscillates = !critical && excess.sign() == -1;
+  if (!e.oscillates && !critical && !excess.sign())
+    throw Unable("whether the spring is damped beyond the critical is not decided by " +
+                 std::to_string(kSpringBits) + " bits");
+  e.growth = exp(critical || e.oscillates ? -rate : sqrt(excess) - rate);
+  if (e.oscillates) {
+    e.frequency = omega / (two * pi(kSpringBits));
+    e.damping_ratio = rate / omega;
+  }
+  return e;
+}
+
+/// A whole number of half turns a frame, up to the digits to which a frequency was made a stiffness.
+bool turns_by_halves(const EffectiveSpring& truth, const SpringQuestion& q) {
+  if (!truth.oscillates || !q.rounded) return false;
+  const Ball sine_squared = truth.determinant - truth.trace * truth.trace / Ball(4, kSpringBits);
+  return std::abs(sine_squared.to_double()) < 1e-50 * truth.determinant.to_double();
+}
+
 }  // namespace
 
 void set_spring(SpringQuestion& q, const Rational& frequency, const Rational& damping_ratio) {
@@ -137,14 +164,19 @@ SpringReport spring_report(const Program& program, const SpringQuestion& q) {
   const BallFlow flow =
       meant.is_constant() ? ball_flow(q.k, meant.constant(), q.h, kSpringBits) : ball_flow(k, true_c, h);
   const bool critical = meant.is_constant() && (meant * meant).constant() == Rational(4) * q.k;
-  report.truth = effective(flow.cosine + flow.sine_rate, exp(-true_c * h), q.h, critical);
-  if (true_c.is_zero()) report.truth.stable = true;
+  report.truth = true_spring(flow.cosine + flow.sine_rate, exp(-true_c * h), k, true_c, critical);
   // An undamped step with determinant 1 exactly is as stable as its physics.
   if (d.determinant->is_one() && report.effective.oscillates) report.effective.stable = true;
   if (q.held && q.substeps > 1) {
     report.no_kit =
         "with the force held over the substeps the kit is solved for by: correct, with a file that says "
         "'hold a'";
+    return report;
+  }
+  if (turns_by_halves(report.truth, q)) {
+    report.no_kit =
+        "the spring turns by a whole number of half turns each frame: where it is on the frames says nothing "
+        "of its velocity, and no launch does";
     return report;
   }
   try {

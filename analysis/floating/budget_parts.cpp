@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "analysis/algebra/general_text.hpp"
 #include "analysis/algebra/error.hpp"
 
 namespace shortfall {
@@ -22,8 +23,8 @@ Ball zero(int bits) { return Ball(0, bits); }
 /// log10 of a positive decimal of any size, "1.2e-31788".
 double logarithm(const std::string& decimal) {
   const std::size_t e = decimal.find('e');
-  const double exponent = e == std::string::npos ? 0 : std::strtod(decimal.c_str() + e + 1, nullptr);
-  return std::log10(std::abs(std::strtod(decimal.substr(0, e).c_str(), nullptr))) + exponent;
+  const double exponent = e == std::string::npos ? 0 : double_of(decimal.substr(e + 1));
+  return std::log10(std::abs(double_of(decimal.substr(0, e)))) + exponent;
 }
 
 /// Whether the residual's ball is narrow beside what is observed.

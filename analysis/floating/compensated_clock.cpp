@@ -144,6 +144,33 @@ bool step_through(const Question& q, CompensatedClock& clock, const Progress& pr
   return true;
 }
 
+/// The same for numbers of any size, far more slowly.
+bool step_through_wide(const Question& q, CompensatedClock& clock) {
+  const Rational most(100'000);
+  if (q.n > most) return false;
+  const auto stored = [&](const Rational& value) { return rounded(value, q.format, q.rounding); };
+  Rational s = q.start, c = 0;
+  for (Rational i = 0; i < q.n; i += 1) {
+    const auto y = stored(q.increment - c);
+    const auto t = y ? stored(s + *y) : std::nullopt;
+    if (!t) {
+      clock.value.reset();
+      return to_nearest(q.rounding);  // otherwise it may stay at the largest number
+    }
+    const auto moved = stored(*t - s);
+    const auto lost = moved ? stored(*moved - *y) : std::nullopt;
+    if (!lost) return false;
+    if (*t == s && *lost == c) {
+      clock.frozen_after = i;
+      break;
+    }
+    s = *t;
+    c = *lost;
+  }
+  clock.value = s;
+  return true;
+}
+
 }  // namespace
 
 CompensatedClock compensated_clock(const Rational& start, const Rational& increment,
@@ -166,7 +193,7 @@ CompensatedClock compensated_clock(const Rational& start, const Rational& increm
     if (clock.value) return clock;
   }
   clock.value.reset();
-  if (n <= most_stepped && step_through(q, clock, progress)) {
+  if (n <= most_stepped && (step_through(q, clock, progress) || step_through_wide(q, clock))) {
     clock.kind = Kind::stepped;
     return clock;
   }

@@ -97,7 +97,7 @@ bool ExactReading::equals(const Rational& value) const {
 
 Ball ExactReading::minus(const Rational& value, int bits) const {
   for (int more = bits + 128;; more *= 2) {
-    const Ball difference = ball(more) - Ball(value, more + 64);
+    Ball difference = ball(more) - Ball(value, more + 64);
     if (!difference.contains_zero() && difference.significant((bits * 3 + 9) / 10 + 1)) return difference;
     if (more == bits + 128 && equals(value)) return {0, bits};
   }

@@ -181,7 +181,7 @@ mpz_class common_denominator(const std::vector<mpq_class>& values) {
 
 ExactStep::Report report(const std::vector<mpq_class>& row, const std::vector<mpz_class>& scale) {
   std::vector<mpq_class> weights;
-  for (std::size_t j = 0; j < row.size(); ++j) weights.push_back(row[j] / scale[j]);
+  for (std::size_t j = 0; j < row.size(); ++j) weights.emplace_back(row[j] / scale[j]);
   ExactStep::Report r;
   r.denominator = common_denominator(weights);
   for (const mpq_class& w : weights) {

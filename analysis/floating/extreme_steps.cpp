@@ -103,10 +103,14 @@ class Cases {
     if (!limit || !limit->is_rational()) return;
     const Rational z = limit->rational();
     if (z.is_zero()) return;
-    const Rational ulp = power_of_two(leading_bit(z) + 1 - storage_.precision);
+    const auto nearest = rounded(z, storage_);
+    if (!nearest) return;
+    const Rational power = power_of_two(leading_bit(*nearest));
+    const Rational above = power * power_of_two(1 - storage_.precision);
+    const Rational below = *nearest == power ? above / Rational(2) : above;  // numbers are denser below it
     for (const auto& [words, h] :
-         {std::pair{"exactly", z}, std::pair{"one unit below", z - ulp / Rational(2)},
-          std::pair{"one unit above", z + ulp}}) {
+         {std::pair{*nearest == z ? "exactly" : "rounded", *nearest},
+          std::pair{"one unit below", *nearest - below}, std::pair{"one unit above", *nearest + above}}) {
       const auto kept = rounded(h, storage_);
       if (!kept) continue;
       FloatQuestion q = question("spring:k=1", *kept, 1, Rational(1, 2));

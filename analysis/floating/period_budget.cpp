@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -21,7 +22,7 @@ struct SpringOscillation {
   int side = 0;      ///< on which side of the level it is before frame 1
 
   double omega() const { return std::sqrt(square.to_double()); }
-  double frames_a_period(const Rational& h) const { return 2 * M_PI / omega() / h.to_double(); }
+  double frames_a_period(const Rational& h) const { return 2 * std::numbers::pi / omega() / h.to_double(); }
   Ball period(int bits) const { return Ball(2, bits) * pi(bits) / sqrt(Ball(square, bits)); }
 };
 
@@ -53,8 +54,9 @@ SpringOscillation oscillation(const FloatQuestion& q) {
 Passings true_passings(const FloatQuestion& q, const SpringOscillation& o, std::size_t count) {
   const double w = o.omega(), c = o.damping.to_double(), h = q.h.to_double();
   const double a = (q.x0 - o.level).to_double(), b = (q.v0.to_double() + c / 2 * a) / w;
-  double phase = std::fmod(std::atan2(b, a) + M_PI / 2, M_PI);  // of the first passing, in [0, pi)
-  if (phase <= 1e-12) phase += M_PI;
+  double phase = std::fmod(std::atan2(b, a) + std::numbers::pi / 2,
+                           std::numbers::pi);  // of the first passing, in [0, pi)
+  if (phase <= 1e-12) phase += std::numbers::pi;
   const MotionFromLevel motion = true_distances(q, o.level);
   const auto distances = motion();
   Passings found;
@@ -66,7 +68,8 @@ Passings true_passings(const FloatQuestion& q, const SpringOscillation& o, std::
     return *s;
   };
   for (std::size_t i = 0; i < count; ++i, side = -side) {
-    std::int64_t n = static_cast<std::int64_t>((phase + static_cast<double>(i) * M_PI) / w / h) + 1;
+    std::int64_t n =
+        static_cast<std::int64_t>((phase + static_cast<double>(i) * std::numbers::pi) / w / h) + 1;
     if (side_at(n) == side)
       ++n;  // binary64 may take the frame beside it
     else if (n > 1 && side_at(n - 1) != side)

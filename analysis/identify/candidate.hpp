@@ -30,8 +30,6 @@ struct Candidate {
 };
 
 /// Every integrator of the catalogue, engines included, with each number of substeps that it may have.
-///
-/// param   others  more integrators, of the user's
 const std::vector<Candidate>& known_candidates();
 std::vector<Candidate> candidates_of(const Program& program);
 

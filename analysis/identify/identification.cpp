@@ -83,7 +83,8 @@ class Identifying {
   /// A whole number of hertz where that is near.
   static Rational rate_of(double dt) {
     const double rate = std::round(1 / dt);
-    if (rate >= 1 && std::fabs(rate * dt - 1) < 0.01) return {1, static_cast<std::int64_t>(rate)};
+    if (rate >= 1 && rate <= 1e15 && std::fabs(rate * dt - 1) < 0.01)
+      return {1, static_cast<std::int64_t>(rate)};
     return simplest(dt, 1e-3 * dt);
   }
 
@@ -203,7 +204,7 @@ class Identifying {
       // Any smooth motion has a short beginning that a map makes: what ends it must be known, or it is most
       // of the log.
       if (2 * (end - first) < result_.last - first &&
-          (end >= result_.last || break_at(log_, dt, first, end).kind == Break::Kind::unexplained))
+          (end >= result_.last || break_at(log_, first, end).kind == Break::Kind::unexplained))
         continue;
       others_.clear();
       explain(first, end);
@@ -213,7 +214,7 @@ class Identifying {
             {Break::Kind::first_frame, first, "the rows before belong to something else"});
         result_.first = first;
       }
-      if (end < result_.last) result_.breaks.push_back(break_at(log_, dt, result_.first, end));
+      if (end < result_.last) result_.breaks.push_back(break_at(log_, result_.first, end));
       result_.last = end;
       return;
     }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <fstream>
 #include <functional>
+#include <limits>
 #include <sstream>
 
 #include "analysis/algebra/error.hpp"
@@ -22,6 +23,7 @@ using Thing = LogColumns::Thing;
 constexpr std::size_t kLongestLine = 100'000;
 constexpr std::size_t kSamples = 20;  // rows without a header are understood after so many
 constexpr std::size_t kMostBodies = 1000;
+constexpr double kLargestWhole = 999'999'999'999'999;  // every whole number up to it is a double and an int64
 
 class Reader {
  public:
@@ -166,10 +168,8 @@ class Reader {
     const auto stamp = value(cells, Thing::time, line);
     const auto counted = value(cells, Thing::frame, line);
     if (another_of_the_same_stamp(stamp ? stamp : counted, line)) return;
-    if (counted && *counted != std::floor(*counted))
-      complain("the frame number is not whole", line, static_cast<std::size_t>(columns_.place[Thing::frame]));
+    if (counted) check_frame(*counted, line);
     if (stamp) row.time = *stamp * columns_.seconds.to_double();
-    if (counted && log_.rows.empty()) first_frame_ = *counted;
     row.frame = counted ? std::lround(*counted - first_frame_) : static_cast<long>(log_.rows.size());
     for (const int axis : log_.axes) {
       const auto a = static_cast<std::size_t>(axis);
@@ -180,6 +180,20 @@ class Reader {
     full_ = log_.rows.size() == kMostRows;
     log_.more = full_ && in_.peek() != std::char_traits<char>::eof();
   }
+
+  void check_frame(double frame, int line) {
+    const auto place = static_cast<std::size_t>(columns_.place[Thing::frame]);
+    if (frame != std::floor(frame)) complain("the frame number is not whole", line, place);
+    if (std::fabs(frame) > kLargestWhole) complain("a frame number has 15 digits or fewer", line, place);
+    if (log_.rows.empty())
+      first_frame_ = frame;
+    else if (frame <= last_frame_)
+      complain("the frame number does not grow here: the row before has " + cell_text(last_frame_), line,
+               place);
+    last_frame_ = frame;
+  }
+
+  static std::string cell_text(double whole) { return std::to_string(static_cast<long long>(whole)); }
 
   double watched(const std::vector<std::string>& cells, Thing thing, RoundingWatch& watch, int line) {
     const auto place = static_cast<std::size_t>(columns_.place[thing]);
@@ -257,7 +271,8 @@ class Reader {
   }
 
   void read_steps() {
-    log_.shortest_step = log_.longest_step = log_.rows[1].time - log_.rows[0].time;
+    log_.shortest_step = std::numeric_limits<double>::infinity();
+    log_.longest_step = -log_.shortest_step;
     const double whole = log_.rows.back().time - log_.rows.front().time;
     const bool counted = columns_.has(Thing::frame);
     const double mean = whole / static_cast<double>(counted ? log_.rows.back().frame
@@ -278,10 +293,11 @@ class Reader {
   static Rational nice_step(double mean, std::size_t rows) {
     const double slack = 0.0011 / static_cast<double>(rows);
     const double rate = std::round(1 / mean);
-    if (rate >= 1 && std::fabs(1 / rate - mean) <= std::max(slack, 1e-9 * mean))
+    if (rate >= 1 && rate <= kLargestWhole && std::fabs(1 / rate - mean) <= std::max(slack, 1e-9 * mean))
       return Rational(1, static_cast<std::int64_t>(rate));
     for (int digits = 1; digits < 9; ++digits) {
       const double scale = std::pow(10.0, digits);
+      if (const double units = std::round(mean * scale); units < 1 || units > kLargestWhole) continue;
       if (std::fabs(std::round(mean * scale) / scale - mean) <= std::max(1e-9 * mean, 1e-15))
         return Rational(std::llround(mean * scale), static_cast<std::int64_t>(scale));
     }
@@ -301,7 +317,7 @@ class Reader {
   RoundingWatch positions_, speeds_;
   std::optional<double> last_stamp_;
   int turn_ = 0, turns_ = 1;
-  double first_frame_ = 0;
+  double first_frame_ = 0, last_frame_ = 0;
 };
 
 }  // namespace

@@ -5,9 +5,9 @@
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <cstdlib>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/general_text.hpp"
 #include "analysis/program/suggest.hpp"
 
 namespace shortfall {
@@ -113,7 +113,7 @@ void set_time(LogColumns& columns, const std::string& unit) {
 std::optional<double> even_growth(const std::vector<std::vector<std::string>>& rows, std::size_t column) {
   std::vector<double> values;
   for (const auto& row : rows)
-    if (column < row.size()) values.push_back(std::strtod(row[column].c_str(), nullptr));
+    if (column < row.size()) values.push_back(double_of(row[column]));
   if (values.size() < 3) return std::nullopt;
   const double step = (values.back() - values.front()) / static_cast<double>(values.size() - 1);
   if (!(step > 0)) return std::nullopt;
@@ -155,6 +155,14 @@ LogColumns columns_of_header(const std::vector<std::string>& header,
       throw BadInput("the columns '" + header[static_cast<std::size_t>(columns.place[*thing])] + "' and '" +
                      header[i] + "' are both " + kNames[*thing] + "; say which one: --columns " +
                      kNames[*thing] + "=" + header[i]);
+  }
+  // A "v" beside a single position is its velocity, whatever that is called.
+  if (const int vy = columns.place[LogColumns::vy];
+      vy >= 0 && columns.place[LogColumns::y] < 0 && !asked.contains("vy") &&
+      one_of(header_of(header[static_cast<std::size_t>(vy)]).key, {"velocity", "vel", "v"})) {
+    const bool x = columns.place[LogColumns::x] >= 0, z = columns.place[LogColumns::z] >= 0;
+    const int own = x ? LogColumns::vx : LogColumns::vz;
+    if (x != z && columns.place[own] < 0) std::swap(columns.place[own], columns.place[LogColumns::vy]);
   }
   for (int t = 0; t < LogColumns::things; ++t) {
     if (columns.place[t] < 0) continue;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/identify/log_rounding.hpp"
 
+#include "analysis/algebra/general_text.hpp"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <string>
 
 namespace shortfall {
@@ -41,12 +41,10 @@ Digits digits_of(std::string_view text) {
 /// Whether a program that writes a binary32 with all its digits would write this.
 bool written_as_binary32(double value) {
   const float narrow = static_cast<float>(value);
-  char text[64];
-  std::snprintf(text, sizeof text, "%.9g", static_cast<double>(narrow));
-  if (std::strtod(text, nullptr) == value) return true;
-  const auto end = std::to_chars(text, text + sizeof text - 1, narrow).ptr;
-  *end = '\0';
-  return std::strtod(text, nullptr) == value;
+  if (double_of(general_text(static_cast<double>(narrow), 9)) == value) return true;
+  std::array<char, 64> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), narrow).ptr;
+  return double_of({text.data(), end}) == value;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "analysis/algebra/error.hpp"
 
@@ -23,7 +24,7 @@ Port port(const PortQuestion& q) {
     throw Unable("the two tick rates have hardly a frame in common: give rates whose ratio is simpler");
   const double dt = q.from_dt.to_double();
   const FrameMap map = frame_map(*q.from.tape, q.from.circumstances(dt, q.c, q.k));
-  const double longest = q.k != 0 ? 4 * 2 * 3.141592653589793 / std::sqrt(q.k) : 4 * q.launch / q.g + 1;
+  const double longest = q.k != 0 ? 4 * 2 * std::numbers::pi / std::sqrt(q.k) : 4 * q.launch / q.g + 1;
   const auto frames =
       static_cast<std::size_t>(std::clamp(longest / dt, 8 * stride, static_cast<double>(kMostFrames)));
   const Responses r = responses(map, frames + 1);

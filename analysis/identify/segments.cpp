@@ -103,7 +103,7 @@ std::size_t longest(const Log& log, double dt, std::size_t first, std::size_t la
   return low;
 }
 
-Break break_at(const Log& log, double dt, std::size_t first, std::size_t row) {
+Break break_at(const Log& log, std::size_t first, std::size_t row) {
   Break result{Break::Kind::unexplained, row, "from here on the log shows something else"};
   const std::size_t n = log.rows.size();
   if (row + 1 < n && log.velocities && speed(log, row) > 0 &&
@@ -119,7 +119,6 @@ Break break_at(const Log& log, double dt, std::size_t first, std::size_t row) {
         std::fabs(before) > 0.2 * std::fabs(after) && std::fabs(after) > 0.05 * std::fabs(before))
       return {Break::Kind::contact, row, "the velocity turns round within a frame: a contact"};
   }
-  (void)dt;
   return result;
 }
 

@@ -22,6 +22,6 @@ void trim(const Log& log, std::size_t& first, std::size_t& last, std::vector<Bre
 std::size_t longest(const Log& log, double dt, std::size_t first, std::size_t last);
 
 /// What happens at a row that the map does not explain any more.
-Break break_at(const Log& log, double dt, std::size_t first, std::size_t row);
+Break break_at(const Log& log, std::size_t first, std::size_t row);
 
 }  // namespace shortfall

@@ -181,7 +181,7 @@ class Writer {
 
   /// begin^m + ... + (n-1)^m as a person writes it.
   static Expr power_sum(int m, int begin) {
-    const Expr n = name("n");
+    Expr n = name("n");
     if (begin == 0 && m == 0) return n;
     if (begin == 0 && m == 1) return n * (n - number(1)) / number(2);
     if (begin == 0 && m == 2) return n * (n - number(1)) * (number(2) * n - number(1)) / number(6);

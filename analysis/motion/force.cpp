@@ -126,7 +126,11 @@ Force force_named(std::string_view text) {
     read_word(text, text.substr(begin, end - begin), force);
     begin = end + 1;
   }
-  if (!force.linear() && force.degree < 0) force.degree = 0;  // spring:k=0: a free body; its force is a = 0
+  if (!force.linear() && force.degree < 0) {  // spring:k=0; formulas have a letter for what is 0 here
+    force.degree = 0;
+    force.nothing = true;
+    force.push[0] = 0;
+  }
   return force;
 }
 

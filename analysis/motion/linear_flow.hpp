@@ -38,7 +38,7 @@ struct LinearFlow : FlowCase {
 /// 0.
 std::vector<Fraction> particular_polynomial(int d, const Fraction& k, const Fraction& c);
 
-/// param   parameters  names of the integrator's letters, which must not be taken for w
+/// param   letters  names of the integrator's letters, which must not be taken for w
 LinearFlow linear_flow(const Force& force, const std::vector<std::string>& letters);
 
 }  // namespace shortfall

@@ -74,6 +74,19 @@ class NumericStep {
     return {dot(converted(report_[0], letters, bits), z), dot(converted(report_[1], letters, bits), z)};
   }
 
+  /// Where the force depends on time alone powers stay short: exactly, in the field of the step's roots.
+  std::array<Fraction, 2> in_field(const std::vector<int>& digits) const {
+    Rows<Fraction> power = a_;
+    std::vector<Fraction> z = start_;
+    for (std::size_t i = 0; i < digits.size(); ++i) {
+      if (digits[i]) z = times(power, z);
+      if (i + 1 < digits.size()) power = times(power, power);
+    }
+    return {dot(report_[0], z), dot(report_[1], z)};
+  }
+
+  const std::vector<NumberField::Generator>& generators() const { return matrix_.map.generators; }
+
   /// The value of what does not move at all: a sequence that satisfies a recurrence of the matrix's order and
   /// has so many equal values (and one more) is constant.
   std::array<std::optional<Rational>, 2> constants() const {
@@ -112,6 +125,7 @@ class NumericStep {
   }
 
   static void accumulate(Rational& sum, const Rational& a, const Rational& b) { sum += a * b; }
+  static void accumulate(Fraction& sum, const Fraction& a, const Fraction& b) { sum += a * b; }
   static void accumulate(Ball& sum, const Ball& a, const Ball& b) { sum.add_product(a, b); }
 
   template <class T>
@@ -227,6 +241,19 @@ NumericMotion numeric_motion(const Program& program, const NumericQuestion& aske
        {std::tuple{&m.position_shortfall, &m.exact_position, &m.position},
         {&m.velocity_shortfall, &m.exact_velocity, &m.velocity}})
     if (exact->exact && computed->exact) shortfall->exact = *exact->exact - *computed->exact;
+  // No ball shows that a number with roots is 0, or another rational one.
+  if (!q.force.linear() && !m.position.exact && !step.generators().empty()) {
+    const NumberField roots(step.generators());
+    const auto ends = step.in_field(digits);
+    const std::array<CertainNumber*, 2> computed{&m.position, &m.velocity},
+        truths{&m.exact_position, &m.exact_velocity}, missing{&m.position_shortfall, &m.velocity_shortfall};
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (ends[i].is_constant()) computed[i]->exact = ends[i].constant();
+      if (!truths[i]->exact) continue;
+      const Fraction difference = Fraction(*truths[i]->exact) - ends[i];
+      if (difference.is_constant()) missing[i]->exact = difference.constant();
+    }
+  }
 
   // A power loses about as many bits as n has, a long time as many as t has.
   for (m.bits = 4 * q.digits + 64 + 3 * static_cast<int>(digits.size()) + size_in_bits(m.time);;

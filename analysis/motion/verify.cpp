@@ -31,6 +31,7 @@ Verdict verdict(const Derivation& d, const Program& program, const Values& given
   Verdict verdict;
   const Motion& truth = position ? d.form.position : d.form.velocity;
   verdict.found = position ? d.position : d.velocity;
+  verdict.found_from = d.form.valid_from;
   const NumberField field(d.map.generators);
   ExtraLetters* extras = d.map.force.extras.get();
   const Motion motion = evaluated(claimed, formula_scalars(program, given, extras), d.degree, extras);
@@ -62,6 +63,7 @@ Verdict verdict(const Derivation& d, const Program& program, const Values& given
         example.values[d.map.letters[letter]] =
             given.contains(d.map.letters[letter]) ? given.at(d.map.letters[letter]) : numbers.at(letter);
       verdict.counter_example = std::move(example);
+      if (equal && d.proof.proved) verdict.holds_from = d.form.valid_from;
       return verdict;
     }
   }

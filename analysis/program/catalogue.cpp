@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/program/catalogue.hpp"
 
+#include <algorithm>
 #include <cctype>
 #include <string_view>
 
@@ -63,6 +64,12 @@ Program find_integrator(const std::string& word) {
   throw BadInput("unknown integrator '" + word + "'" +
                  (near.empty() ? "" : "; did you mean '" + near + "'?") +
                  " (shortfall list shows all; a file ends in .integrator or .json)");
+}
+
+std::string word_for(const Program& program) {
+  const bool is_ours = std::ranges::any_of(
+      catalogue(), [&](const Program& p) { return p.name == program.name && p.file == program.file; });
+  return is_ours ? program.name : program.file;
 }
 
 }  // namespace shortfall

@@ -20,4 +20,7 @@ std::string family(const Program& program);
 /// throws  BadInput  for an unknown name, with a suggestion, or version; SyntaxError from a file
 Program find_integrator(const std::string& word);
 
+/// What find_integrator finds it again by: the name of one of ours, otherwise the path of its file.
+std::string word_for(const Program& program);
+
 }  // namespace shortfall

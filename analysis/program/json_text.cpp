@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <charconv>
 
 #include "analysis/algebra/characters.hpp"
 
@@ -163,8 +164,7 @@ class Reader {
     return value;
   }
 
-  /// One escape, the cursor left on its last character. A \u is kept as it is written: no coefficient has
-  /// any.
+  /// One escape, the cursor left on its last character.
   std::string escaped(const std::string& text) {
     static constexpr std::string_view kLetters = "\"\\/bfnrt";
     static constexpr std::string_view kMeanings = "\"\\/    ";
@@ -174,11 +174,48 @@ class Reader {
       return std::string(1, i < kMeanings.size() ? kMeanings[i] : ' ');
     }
     if (c != 'u') throw error("expected one of \" \\ / b f n r t u behind \\");
-    for (std::size_t k = 2; k < 6; ++k)
-      if (byte_ + k >= text.size() || !std::isxdigit(static_cast<unsigned char>(text[byte_ + k])))
-        throw error("expected four hexadecimal digits behind \\u");
+    unsigned code = four_digits(text, byte_ + 2);
+    const bool high = code >= 0xD800 && code < 0xDC00;
+    if (high && text.compare(byte_ + 6, 2, "\\u") == 0) {
+      const unsigned low = four_digits(text, byte_ + 8);
+      if (low >= 0xDC00 && low < 0xE000) {
+        byte_ += 6;
+        code = 0x10000 + ((code - 0xD800) << 10) + (low - 0xDC00);
+      }
+    }
+    if (code >= 0xD800 && code < 0xE000) throw error("a \\u of D800 to DFFF is half a character");
     byte_ += 5;
-    return text.substr(byte_ - 5, 6);
+    return in_utf8(code);
+  }
+
+  unsigned four_digits(const std::string& text, std::size_t from) const {
+    unsigned code = 0;
+    const char* const begin = text.data() + std::min(from, text.size());
+    const char* const end = text.data() + std::min(from + 4, text.size());
+    const auto [stopped, problem] = std::from_chars(begin, end, code, 16);
+    if (problem != std::errc{} || stopped != begin + 4)
+      throw error("expected four hexadecimal digits behind \\u");
+    return code;
+  }
+
+  /// RFC 3629 (2003), section 3.
+  static std::string in_utf8(unsigned code) {
+    if (code < 0x20 || code == 0x7F) return " ";  // a control character, as \n is
+    if (code < 0x80) return {static_cast<char>(code)};
+    std::string bytes;
+    const auto put = [&](unsigned byte) { bytes += static_cast<char>(byte); };
+    if (code < 0x800) {
+      put(0xC0 | code >> 6);
+    } else if (code < 0x10000) {
+      put(0xE0 | code >> 12);
+      put(0x80 | (code >> 6 & 0x3F));
+    } else {
+      put(0xF0 | code >> 18);
+      put(0x80 | (code >> 12 & 0x3F));
+      put(0x80 | (code >> 6 & 0x3F));
+    }
+    put(0x80 | (code & 0x3F));
+    return bytes;
   }
 
   JsonValue number(JsonValue value) {

@@ -15,10 +15,15 @@ constexpr int kDeepestExpression = 200;
 constexpr int kMostNodes = 1000;
 constexpr int kHighestDimension = 20;
 
+/// A sign after an operator is printed in a parenthesis, and counts like that: what is read can be read again
+/// when it was printed.
+constexpr int kSignInside = 3;
+
 struct Deeper {
   int& depth;
-  explicit Deeper(int& d) : depth(d) { ++depth; }
-  ~Deeper() { --depth; }
+  int levels;
+  explicit Deeper(int& d, int more = 1) : depth(d), levels(more) { depth += levels; }
+  ~Deeper() { depth -= levels; }
 };
 
 }  // namespace
@@ -94,7 +99,9 @@ Expr TokenReader::product() {
 }
 
 Expr TokenReader::signed_factor() {
-  const Deeper deeper(depth_);
+  const bool inside = at("-") && next_ > 0 && tokens_[next_ - 1].kind == Token::Kind::sign &&
+                      std::string_view("+-*/").find(tokens_[next_ - 1].text) != std::string_view::npos;
+  const Deeper deeper(depth_, inside ? kSignInside : 1);
   if (depth_ > kDeepestExpression)
     throw error("signs are nested deeper than " + std::to_string(kDeepestExpression) + " levels");
   if (at("-")) {
@@ -117,6 +124,7 @@ Expr TokenReader::power_of() {
   Expr exponent;
   if (at("-")) {
     const Token minus = take();
+    const Deeper deeper(depth_, kSignInside);
     exponent = negate(primary(), minus.place);
   } else {
     exponent = primary();

@@ -2,8 +2,8 @@
 #include "analysis/series/order.hpp"
 
 #include <algorithm>
-#include <cstdio>
 
+#include "analysis/algebra/general_text.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/suggest.hpp"
 #include "analysis/series/differential.hpp"
@@ -38,12 +38,9 @@ Signature signature_for(const SeriesSource& source, const ForceClass& forces) {
 std::string too_many_trees(const Signature& signature, int order, const OrderLimits& limits) {
   const double bytes = TreeTable::bytes_needed(signature, order);
   const std::string head = "order " + std::to_string(order) + " has ";
-  if (bytes > limits.most_bytes) {
-    char text[100];
-    std::snprintf(text, sizeof text, "trees of %.3g MB; %.3g MB are allowed", bytes / 1e6,
-                  limits.most_bytes / 1e6);
-    return head + text;
-  }
+  if (bytes > limits.most_bytes)
+    return head + "trees of " + general_text(bytes / 1e6, 3) + " MB; " +
+           general_text(limits.most_bytes / 1e6, 3) + " MB are allowed";
   Rational trees;
   for (std::size_t f = 0; f < signature.functions.size(); ++f)
     for (const Rational& count : tree_counts(signature, static_cast<int>(f), order)) trees += count;

@@ -17,13 +17,6 @@ struct ButcherTableau {
   std::vector<K> embedded;
 
   std::size_t stages() const { return b.size(); }
-  /// Entries right of and on the diagonal are zero.
-  bool is_explicit() const {
-    for (std::size_t i = 0; i < stages(); ++i)
-      for (std::size_t j = i; j < stages(); ++j)
-        if (!vanishes(a[i][j])) return false;
-    return true;
-  }
 };
 
 /// The elementary weights of a tableau: those of its stages, sum over j of a_ij g_j, and of results with any

@@ -168,9 +168,8 @@ Amplification repeated(const Amplification& step, int count) {
                          .zeros = step.zeros,
                          .nonzero = {},
                          .pair = {}};
-    const TraceAndDeterminant frame =
-        of_power({of_part(step.trace()), of_part(step.determinant())}, count,
-                 [&](Fraction f) { return reduced(std::move(f), step.algebraic); });
+    const TraceAndDeterminant frame = of_power({of_part(step.trace()), of_part(step.determinant())}, count,
+                                               [&](const Fraction& f) { return reduced(f, step.algebraic); });
     result.nonzero = result.pair = {frame.determinant, -frame.trace, Fraction(1)};
     return result;
   }

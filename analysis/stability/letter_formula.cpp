@@ -25,7 +25,7 @@ Monomial only(const Monomial& monomial, const LetterNames& names) {
 }
 
 /// a x y / u: a product whose parts may be products and quotients themselves.
-Expr all_of(Expr coefficient, const Expr& middle, const Expr& times, const Expr& divisor) {
+Expr all_of(const Expr& coefficient, const Expr& middle, const Expr& times, const Expr& divisor) {
   Expr result = chained(coefficient, middle);
   if (times) result = result * times;
   return result / divisor;

@@ -57,7 +57,7 @@ Expr growth_of(const Motion& motion) {
     std::vector<Fraction> leading;
     for (const Sequence& column : motion) {
       const Fraction c = coefficient_of(column, base);
-      leading.push_back(Fraction(c.numerator().coefficient(kCount, degree), c.denominator()));
+      leading.emplace_back(c.numerator().coefficient(kCount, degree), c.denominator());
     }
     if (leading[0].is_zero() && leading[1].is_zero()) continue;
     // Up to a factor: x0 alone, v0 alone, or x0 with a positive whole coefficient.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <numbers>
 
 #include "analysis/problems/letters.hpp"
 
@@ -68,7 +69,7 @@ std::vector<std::complex<double>> sampled_roots(const std::vector<double>& p) {
   std::vector<Complex> roots;
   for (std::size_t k = 0; k < degree; ++k)
     roots.push_back(std::polar(
-        1 + reach / 2, 0.4 + 2 * 3.141592653589793 * static_cast<double>(k) / static_cast<double>(degree)));
+        1 + reach / 2, 0.4 + 2 * std::numbers::pi * static_cast<double>(k) / static_cast<double>(degree)));
   for (int round = 0; round < 500; ++round) {
     double moved = 0;
     for (Complex& root : roots) {

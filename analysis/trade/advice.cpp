@@ -92,7 +92,7 @@ class Adviser {
     std::vector<StepChoice> ways;
     for (const std::string& name : names)
       for (const bool launched : {false, true}) {
-        StepChoice way{find_integrator(name).name, {}, launched, "", scene_.step};
+        StepChoice way{word_for(find_integrator(name)), {}, launched, "", scene_.step};
         if (way.integrator == scene_.budget.integrator) way.parameters = scene_.budget.parameters;
         try {
           if (launched) way.launch = launch_of(scene_, way, advice_.kept);

@@ -2,18 +2,23 @@
 #include "analysis/trade/outcome_text.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <cstdlib>
 #include <sstream>
 
+#include "analysis/algebra/general_text.hpp"
 #include "analysis/algebra/error.hpp"
 
 namespace shortfall {
 
 std::string bits_text(double value) {
-  char text[64];
-  std::snprintf(text, sizeof text, "%a", value);
-  return text;
+  std::array<char, 64> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), std::abs(value), std::chars_format::hex).ptr;
+  const std::string digits(text.data(), end);
+  return (std::signbit(value) ? "-" : "") + (std::isfinite(value) ? "0x" + digits : digits);
 }
 
 std::string bits_text(const std::vector<double>& values) {
@@ -22,7 +27,7 @@ std::string bits_text(const std::vector<double>& values) {
   return text;
 }
 
-double bits_of(const std::string& text) { return std::strtod(text.c_str(), nullptr); }
+double bits_of(const std::string& text) { return double_of(text); }
 
 std::vector<double> all_bits_of(const std::string& text) {
   std::vector<double> values;

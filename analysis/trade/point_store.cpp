@@ -45,6 +45,12 @@ struct PointStore::Database {
   [[noreturn]] void fail(const std::string& what) const {
     throw UnreadableFile(path + ": " + what + ": " + sqlite3_errmsg(handle));
   }
+  sqlite3_stmt* prepared(const char* sql) const {
+    sqlite3_stmt* statement = nullptr;
+    if (sqlite3_prepare_v2(handle, sql, -1, &statement, nullptr) != SQLITE_OK)
+      fail("the store cannot be used");
+    return statement;
+  }
   void run(const char* sql) const {
     if (sqlite3_exec(handle, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail("the store cannot be used");
   }
@@ -54,7 +60,7 @@ namespace {
 
 class Prepared {
  public:
-  Prepared(sqlite3* handle, const char* sql) { sqlite3_prepare_v2(handle, sql, -1, &statement_, nullptr); }
+  explicit Prepared(sqlite3_stmt* statement) : statement_(statement) {}
   Prepared(const Prepared&) = delete;
   Prepared& operator=(const Prepared&) = delete;
   ~Prepared() { sqlite3_finalize(statement_); }
@@ -70,7 +76,7 @@ class Prepared {
   std::int64_t whole_at(int column) const { return sqlite3_column_int64(statement_, column); }
 
  private:
-  sqlite3_stmt* statement_ = nullptr;
+  sqlite3_stmt* statement_;
 };
 
 }  // namespace
@@ -91,12 +97,14 @@ PointStore::PointStore(PointStore&&) noexcept = default;
 
 std::optional<SceneOutcome> PointStore::find(const std::string& key) const {
   const std::lock_guard lock(database_->one_at_a_time);
-  Prepared s(database_->handle,
-             "SELECT integrator, format, launched, frame, substeps, steps, evaluations, failed, why, errors, "
-             "nanoseconds"
-             " FROM points WHERE key = ?");
+  Prepared s(database_->prepared(
+      "SELECT integrator, format, launched, frame, substeps, steps, evaluations, failed, why, errors, "
+      "nanoseconds"
+      " FROM points WHERE key = ?"));
   s.text(1, key);
-  if (s.step() != SQLITE_ROW) return std::nullopt;
+  const int found = s.step();
+  if (found == SQLITE_DONE) return std::nullopt;
+  if (found != SQLITE_ROW) database_->fail("the store cannot be read");
   SceneOutcome o;
   o.choice.integrator = s.text_at(0);
   o.choice.format = s.text_at(1);
@@ -114,7 +122,8 @@ std::optional<SceneOutcome> PointStore::find(const std::string& key) const {
 
 void PointStore::put(const std::string& key, const SceneOutcome& o) {
   const std::lock_guard lock(database_->one_at_a_time);
-  Prepared s(database_->handle, "INSERT OR REPLACE INTO points VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+  Prepared s(
+      database_->prepared("INSERT OR REPLACE INTO points VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"));
   s.text(1, key);
   s.text(2, o.choice.integrator);
   s.text(3, o.choice.format);
@@ -132,8 +141,9 @@ void PointStore::put(const std::string& key, const SceneOutcome& o) {
 
 std::int64_t PointStore::size() const {
   const std::lock_guard lock(database_->one_at_a_time);
-  Prepared s(database_->handle, "SELECT count(*) FROM points");
-  return s.step() == SQLITE_ROW ? s.whole_at(0) : 0;
+  Prepared s(database_->prepared("SELECT count(*) FROM points"));
+  if (s.step() != SQLITE_ROW) database_->fail("the store cannot be read");
+  return s.whole_at(0);
 }
 
 std::string point_key(const Scene& scene, const StepChoice& choice) {

@@ -87,7 +87,7 @@ class SceneReader {
 
   std::string integrator(const toml::node& node, const std::string& key) const {
     try {
-      return find_integrator(text_.text(node, key)).name;
+      return word_for(find_integrator(text_.text(node, key)));
     } catch (const BadInput& e) {
       throw text_.error(node, e.what());
     }

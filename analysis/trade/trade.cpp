@@ -92,13 +92,6 @@ Timing timing_of(const Trade& trade, const TradeSeries& series, SceneOutcome& o)
           series.at_once * static_cast<double>(done) / static_cast<double>(frames)};
 }
 
-/// What finds it again: its name, or the path of its file.
-std::string name_of(const Program& program) {
-  const bool is_ours = std::ranges::any_of(
-      catalogue(), [&](const Program& p) { return p.name == program.name && p.file == program.file; });
-  return is_ours ? program.name : program.file;
-}
-
 double unit_roundoff(const std::string& format) {
   return format == "f32" ? 0x1p-24 : format == "dd" ? 0x1p-106 : 0x1p-53;
 }
@@ -221,8 +214,8 @@ Trade trade(const Scene& scene, const TradeQuestion& question, const Progress& p
     for (const std::string& format : formats)
       for (const bool launched : {false, true}) {
         if (launched && !question.launches) continue;
-        StepChoice choice{name_of(program), {}, launched, format, steps[0]};
-        if (program.name == scene.budget.integrator) choice.parameters = scene.budget.parameters;
+        StepChoice choice{word_for(program), {}, launched, format, steps[0]};
+        if (choice.integrator == scene.budget.integrator) choice.parameters = scene.budget.parameters;
         try {
           if (launched) choice.launch = launch_of(scene, choice);
           SceneStepping(scene, choice);

@@ -16,7 +16,7 @@ class Peer {
   /// param   command    the program and its arguments
   /// param   greeting   lines to send first, if the script is not one of the arguments
   /// param   line_end   what ends a question in the program's language
-  Peer(std::string name, std::vector<std::string> command, std::string greeting, std::string line_end);
+  Peer(std::string name, std::vector<std::string> command, const std::string& greeting, std::string line_end);
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
   ~Peer();

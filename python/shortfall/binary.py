@@ -58,8 +58,8 @@ class Call(NamedTuple):
     def answer(self, *more: str) -> Answer:
         with tempfile.TemporaryDirectory(prefix="shortfall-") as folder:
             words = [self.command]
-            for argument in self.arguments:
-                words.append(_argument(argument, folder))
+            for position, argument in enumerate(self.arguments):
+                words.append(_argument(argument, folder, str(position)))
             words += option_words(self.options)
             try:
                 done = subprocess.run(
@@ -71,13 +71,15 @@ class Call(NamedTuple):
             except ValueError as error:  # a NUL in an argument
                 raise UsageError(f"shortfall {self.command}: {error}", 2) from None
             # A traced function has no file of its own.
-            return Answer(done.stdout.replace(folder + os.sep, ""), done.stderr.replace(folder + os.sep, ""), done.returncode)
+            own = re.compile(re.escape(folder + os.sep) + r"\d+" + re.escape(os.sep))
+            return Answer(own.sub("", done.stdout), own.sub("", done.stderr), done.returncode)
 
 
-def _argument(argument: Any, folder: str) -> str:
+def _argument(argument: Any, folder: str, position: str) -> str:
     if isinstance(argument, Integrator) or (callable(argument) and not isinstance(argument, (str, os.PathLike))):
         integrator = argument if isinstance(argument, Integrator) else trace(argument)
-        path = Path(folder) / f"{integrator.name}.integrator"
+        path = Path(folder) / position / f"{integrator.name}.integrator"  # two of them may have one name
+        path.parent.mkdir()
         integrator.save(path)
         return str(path)
     if not isinstance(argument, (str, os.PathLike)):

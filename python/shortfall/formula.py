@@ -64,8 +64,9 @@ def _evaluated(node: ast.expr, letters: Dict[str, Any]) -> Any:
         if name not in letters:
             raise UsageError(f"the formula has the letter {name}, which was not given")
         return letters[name]
-    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.USub):
-        return -_evaluated(node.operand, letters)
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, (ast.USub, ast.UAdd)):
+        value = _evaluated(node.operand, letters)
+        return -value if isinstance(node.op, ast.USub) else value
     if isinstance(node, ast.BinOp):
         left, right = _evaluated(node.left, letters), _evaluated(node.right, letters)
         if isinstance(node.op, ast.Add):
@@ -109,7 +110,7 @@ def _letter(name: str) -> str:
 
 
 def _latex(node: ast.expr) -> "tuple[str, int]":
-    """With how tightly it binds: 0 a sum, 1 a sign, 2 a product, 3 an atom."""
+    """With how tightly it binds: 0 a sum, 1 a sign, 2 a product, a quotient or a power, 3 an atom."""
     def bound(part: ast.expr, least: int) -> str:
         text, binding = _latex(part)
         return text if binding >= least else f"\\left({text}\\right)"
@@ -118,6 +119,8 @@ def _latex(node: ast.expr) -> "tuple[str, int]":
         return str(node.value), 3
     if isinstance(node, ast.Name):
         return _letter(node.id), 3
+    if isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.UAdd):
+        return _latex(node.operand)
     if isinstance(node, ast.UnaryOp):
         return "-" + bound(node.operand, 2), 1
     if isinstance(node, ast.BinOp):
@@ -129,11 +132,11 @@ def _latex(node: ast.expr) -> "tuple[str, int]":
             left = left if binding >= 1 else f"\\left({left}\\right)"
             return left + " \\, " + bound(node.right, 2), 1 if left.startswith("-") else 2
         if isinstance(node.op, ast.Div):
-            if isinstance(node.left, ast.UnaryOp):  # the sign stands before the fraction
+            if isinstance(node.left, ast.UnaryOp) and isinstance(node.left.op, ast.USub):  # the sign stands before the fraction
                 return f"-\\frac{{{bound(node.left.operand, 2)}}}{{{_latex(node.right)[0]}}}", 1
-            return f"\\frac{{{_latex(node.left)[0]}}}{{{_latex(node.right)[0]}}}", 3
+            return f"\\frac{{{_latex(node.left)[0]}}}{{{_latex(node.right)[0]}}}", 2
         if isinstance(node.op, ast.Pow):
-            return f"{bound(node.left, 3)}^{{{_latex(node.right)[0]}}}", 3
+            return f"{bound(node.left, 3)}^{{{_latex(node.right)[0]}}}", 2
     if isinstance(node, ast.Call) and isinstance(node.func, ast.Name):
         arguments = ", ".join(_latex(argument)[0] for argument in node.args)
         if node.func.id == "sqrt":

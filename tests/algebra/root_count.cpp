@@ -33,6 +33,23 @@ TEST_CASE("the sign of a polynomial in whole numbers is that of its value in fra
   CHECK(ExactSign(Poly())(3) == 0);
 }
 
+TEST_CASE("a root is refined to thousands of bits, and stays between its ends") {
+  CHECK(rc::check([] {
+    const Poly p = some_polynomial(*rc::gen::inRange(2, 7));
+    if (p.is_zero() || p.degree() < 1) return;
+    for (const RealRoot& root : real_roots(p)) {
+      const int bits = *rc::gen::inRange(1, 3000);
+      const Rational width = Rational(1, 2).pow(bits);
+      const RealRoot narrow = root.refined(width);
+      RC_ASSERT(narrow.high() - narrow.low() <= width);
+      RC_ASSERT(root.low() <= narrow.low());
+      RC_ASSERT(narrow.high() <= root.high());
+      RC_ASSERT(narrow.is_rational() ||
+                root.polynomial().at(narrow.low()).sign() * root.polynomial().at(narrow.high()).sign() < 0);
+    }
+  }));
+}
+
 TEST_CASE("roots are counted as Sturm's sequence counts them, also from and to a root") {
   CHECK(rc::check([] {
     // Some rational roots, near each other at times, and a factor that may have irrational ones.

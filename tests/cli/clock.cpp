@@ -51,6 +51,27 @@ TEST_CASE("clock --kahan says how its value is known") {
   CHECK(contains(clock_command("--dt 0.1f --steps 1e12 --kahan").text(), "a bound, proved"));
 }
 
+TEST_CASE("clock --kahan carries out what is too wide for machine integers, and ranges follow the sums") {
+  const nlohmann::json one = clock_json("--dt 1/128 --steps 1 --x0 2e38 --kahan");
+  CHECK(one["kahan"]["known"] == "stepped through");
+  const nlohmann::json many = clock_json("--dt 0.1f --steps 100000 --x0 1e30 --kahan --rounding up");
+  CHECK(many["kahan"]["known"] == "stepped through");
+  float s = 1e30F, c = 0;  // to nearest: nothing is ever lost from c but what rounding takes
+  for (int i = 0; i < 1000; ++i) {
+    volatile float y = 0.1F - c, t = s + y;
+    volatile float moved = t - s;
+    c = moved - y;
+    s = t;
+  }
+  const nlohmann::json near = clock_json("--dt 0.1f --steps 1000 --x0 1e30 --kahan");
+  CHECK(Rational::parse(near["value"].get<std::string>()).to_float() == s);
+  const std::string falling = clock_command("--dt -0.1 --x0 50 --steps 600").text();
+  for (const char* range : {"64 to 32 ", "32 to 8 ", "2 to 0.5 ", "-0.25 to -0.5 "})
+    CHECK(contains(falling, range));
+  CHECK(contains(clock_command("--dt 0.1 --x0 -50 --steps 600 --format f16 --rounding up").text(),
+                 "-16 to -2 "));
+}
+
 TEST_CASE("clock --csv has a line for each spacing, consecutive, up to where the clock stops") {
   const CommandRun o = clock_command("--dt 1/60f --steps 1 --csv");
   CHECK(o.code == 0);

@@ -7,11 +7,11 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+
+#include "tests/scratch_folder.hpp"
 
 namespace shortfall {
 
@@ -27,38 +27,16 @@ struct CommandRun {
 };
 
 /// A folder that goes away, with files in which commands are run.
-class Folder {
+class Folder : public ScratchFolder {
  public:
-  Folder() {
-    std::string name = (fs::temp_directory_path() / "shortfall-command-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Folder() { fs::remove_all(path_); }
-  Folder(const Folder&) = delete;
-  Folder& operator=(const Folder&) = delete;
-
-  std::string text(const std::string& file) const {
-    std::ifstream in(path_ / file, std::ios::binary);
-    return {std::istreambuf_iterator<char>(in), {}};
-  }
-  void write(const std::string& file, const std::string& text) const {
-    std::ofstream(path_ / file, std::ios::binary) << text;
-  }
-  std::string path(const std::string& file) const { return (path_ / file).string(); }
-  bool has(const std::string& file) const { return fs::exists(path_ / file); }
-
   /// param   arguments  of the command, as a shell reads them
   /// param   before     what stands before it, such as NO_COLOR=1
   CommandRun run(const std::string& arguments, const std::string& before = "") const {
-    const std::string command = "cd '" + path_.string() + "' && " + before + " '" + SHORTFALL_BINARY + "' " +
+    const std::string command = "cd '" + root().string() + "' && " + before + " '" + SHORTFALL_BINARY + "' " +
                                 arguments + " >.out 2>.error";
     const int code = WEXITSTATUS(std::system(command.c_str()));
     return {code, text(".out"), text(".error")};
   }
-
- private:
-  fs::path path_;
 };
 
 /// One command, asked again and again in a folder; what it answered last.

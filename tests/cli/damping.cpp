@@ -73,6 +73,32 @@ TEST_CASE("bad damping is refused in one sentence") {
   CHECK(contains(run("damping ode --param c=1 --ascii").text(), "Stops dead"));
 }
 
+TEST_CASE("the true spring has the frequency that was asked for, also where frames are too few for it") {
+  for (const std::string frequency : {"29.9", "30", "45", "60", "100"}) {
+    CAPTURE(frequency);
+    const auto json = json_of("spring symplectic-euler --dt 60Hz --frequency " + frequency + "Hz");
+    CHECK(std::stod(json["true"]["frequency"]["decimal"].get<std::string>()) ==
+          doctest::Approx(std::stod(frequency)));
+    CHECK(json["effective"]["stable"] == false);
+    const bool halves = frequency == "30" || frequency == "60";
+    CHECK(json["kit"].is_null() == halves);
+  }
+  const CommandRun half = run("spring rk4 --frequency 30Hz --dt 60Hz");
+  CHECK(half.code == 0);
+  CHECK(contains(half.text(), "a whole number of half turns each frame"));
+  CHECK(contains(run("spring symplectic-euler --frequency 45Hz --dt 60Hz").text(),
+                 "faster than half the tick rate"));
+  // Damped: exp(-c/2) a second, or what the slower exponential leaves.
+  const auto damped = json_of("spring rk4 --k 100 --c 2 --dt 20Hz");
+  CHECK(std::stod(damped["true"]["growth_per_second"]["decimal"].get<std::string>()) ==
+        doctest::Approx(std::exp(-1)));
+  CHECK(std::stod(damped["true"]["damping_ratio"]["decimal"].get<std::string>()) == doctest::Approx(0.1));
+  const auto slow = json_of("spring rk4 --k 4 --c 5 --dt 20Hz");
+  CHECK(std::stod(slow["true"]["growth_per_second"]["decimal"].get<std::string>()) ==
+        doctest::Approx(std::exp(-1)));
+  CHECK(slow["true"]["frequency"].is_null());
+}
+
 TEST_CASE("an undamped spring of 2 Hz at 60 Hz: frequency and damping ratio of the loop") {
   const auto json = json_of("spring symplectic-euler --frequency 2Hz --dt 60Hz");
   CHECK(json["schema"] == "shortfall.spring/1");
@@ -113,6 +139,7 @@ TEST_CASE(
   CHECK(json["effective"]["stable"] == false);
   CHECK(run("spring symplectic-euler --k 40 --held").code == 2);
   CHECK(run("spring symplectic-euler --k 40 --frequency 2Hz").code == 2);
+  CHECK(run("spring symplectic-euler --k 40 --damping-ratio 1").code == 2);
   CHECK(run("spring symplectic-euler").code == 2);
   CHECK(run("spring symplectic-euler --k 0").code == 2);
 }

@@ -125,6 +125,10 @@ TEST_CASE("identify --with: an integrator of the user is a candidate as well") {
   CAPTURE(found.out);
   CHECK(found.code == 0);
   CHECK(contains(found.out, "mine "));
+  // What repairs it is asked of the user's file, which no other name finds.
+  CHECK_FALSE(contains(found.out, "unknown integrator"));
+  const auto repair = nlohmann::json::parse(folder.run("identify log.csv --with mine.integrator --json").out);
+  CHECK(contains(repair["repair"].dump(), "mine.integrator"));
   CHECK(folder.run("identify log.csv --with nowhere.integrator").code == 5);
 }
 

@@ -2,6 +2,8 @@
 // `shortfall derive` and `correct` for springs, dampers and drag, as a user meets them.
 #include <doctest/doctest.h>
 
+#include <cmath>
+
 #include <string>
 
 #include "tests/cli/command.hpp"
@@ -69,9 +71,40 @@ TEST_CASE("a force of time is corrected by its derivatives, spelled out in JSON"
   CHECK(run("correct rk4 --force poly:13+spring").code == 4);
 }
 
+TEST_CASE("a damping that acts exactly is tuned by a force beside it: the kit's frames are the true ones") {
+  const auto json =
+      nlohmann::json::parse(run("correct chipmunk --force spring:k=4 --param c=1/5 --dt 1/10 --json").out);
+  const auto number = [&](std::size_t i, std::size_t term) {
+    return std::stod(json["numbers"][i]["terms"][term]["decimal"].get<std::string>());
+  };
+  // Chipmunk's loop, with a force -k x - c v of its old state; the truth is x'' = -4 x + log(4/5) v.
+  const double k = number(0, 0), c = number(1, 0), h = 0.1, kept = std::pow(0.8, h), b = std::log(0.8) / 2;
+  const double w = std::sqrt(4 - b * b), v0 = 0.3;
+  double x = 1, v = number(2, 0) * x + number(2, 1) * v0;
+  for (int n = 1; n <= 60; ++n) {
+    const double f = -k * x - c * v;
+    x += h * v;
+    v = kept * v + h * f;
+    const double t = n * h, truth = std::exp(b * t) * (std::cos(w * t) + (v0 - b) / w * std::sin(w * t));
+    CHECK(x == doctest::Approx(truth).epsilon(1e-12));
+  }
+  CHECK(contains(run("correct chipmunk --force spring:k=4 --param c=1/5 --dt 1/10").text(),
+                 "give the force a damping -c v with this c, and keep the integrator's own"));
+}
+
 TEST_CASE("numbers that take the force away leave what remains") {
   CHECK(contains(run("derive symplectic-euler --force damped-spring:k=0,c=0").text(),
                  "constant acceleration a"));
+  // With numbers nothing is left, gravity neither.
+  for (const std::string force : {"spring:k=0", "damped-spring:k=0,c=0"}) {
+    CHECK(contains(run("derive symplectic-euler --dt 1/50 --steps 50 --v0 1 --force " + force).text(),
+                   "x'' = 0,"));
+    CHECK(contains(run("derive symplectic-euler --dt 1/50 --steps 50 --v0 1 --force " + force).text(),
+                   "x_n  = 1 m   exact"));
+    CHECK(contains(run("budget --steps 50 --v0 1 --x0 0 --formats f64 --force " + force).text(), "method"));
+    CHECK(contains(run("cycle --formats f16 --x0 1 --force " + force).text(),
+                   "after 0 steps it repeats itself every 1 steps"));
+  }
   CHECK(contains(run("derive symplectic-euler --force damped-spring:k=0,c=1 --ascii").text(), "x'' = -v"));
   CHECK(contains(run("derive symplectic-euler --force damped-spring:k=4,c=0 --ascii").text(), "x'' = -4*x"));
   CHECK(contains(run("derive rk4 --force damped-spring:k=4,c=4").text(), "k = c^2/4, critically damped"));

@@ -13,6 +13,7 @@ FILES = {
     "mine.integrator": "integrator mine\n  param c : 1/T = 1/10\n"
                        "step\n  v = (v + h*a(x, v, t))*(1 - c*h)\n  x = x + h*v\n",
     "wrong.integrator": "integrator wrong\n  source nobody\nstep\n  v = v + h/2*a(x, v, t)\n  x = x + h*v\nexpect\n  order 1\n  symmetric\n",
+    "still.integrator": "integrator still\n  source nobody\nstep\n  x = x + h*v\n",
     "late.integrator": "integrator late\n  state w : L/T\nstart\n  w = 0*v\nstep\n  x = x + h*w\n  w = v\n  v = v + h*a(x, v, t)\n",
     "timed.integrator": "integrator timed\n  param c : 1/T^2 = 1/10\nstep\n  v = v + h*a(x, v, t) - c*t*h*v\n  x = x + h*v\n",
     "singular.integrator": "integrator singular\n  state w : L/T^2\nstart\n  w = a(x, v, t)\nstep\n  solve k : L/T^2 = a(x - h^2*k, v, t)\n"
@@ -134,6 +135,7 @@ CASES = f"""
 0 derive AB2 --force spring
 0 derive pefrl --force spring
 0 derive chipmunk --force spring
+0 derive still.integrator --force spring
 0 derive gauss4 --force spring:k=4
 0 derive velocity-verlet --force spring:k=1 --dt 1/10 --steps 1e18 --x0 1
 0 derive velocity-verlet --force spring:k=1 --dt 1/10 --until 0.5 --x0 1m --substeps 2
@@ -155,7 +157,8 @@ CASES = f"""
 0 correct rk4 --force drag
 0 correct heun --force drag
 4 correct ode --force constant
-4 correct chipmunk --force spring
+0 correct chipmunk --force spring
+4 correct still.integrator --force spring
 0 correct half-gravity --force spring:k=16 --dt 1 --substeps 2
 0 correct rk4 --force damped-spring
 4 correct rk4 --force drag:c=4 --dt 1/2
@@ -175,6 +178,7 @@ CASES = f"""
 0 verify symplectic-euler --force constant --x "x0 + v0*t + 1/2*a*t^2 + 1/2*a*h*t"
 1 verify explicit-euler --force constant --x "x0 + v0*t + 1/2*a*t^2 + 1/2*a*h*t"
 0 verify rk4 --force poly:1 --v "v0 + f0*t + 1/2*f1*t^2"
+1 verify adams-bashforth-2 --force poly:1 --x "x0 + v0*t + 1/2*f0*t^2 + 1/6*f1*t^3 - 5/12*f1*h^2*t + 1/4*f1*h^3"
 1 verify rk4 --force poly:1 --x "x0 + v0*t" --v "v0 + f0*t + 1/2*f1*t^2"
 
 0 stability symplectic-euler

@@ -56,6 +56,46 @@ TEST_CASE("an output that cannot be made is exit code 5, and nothing is left beh
   CHECK(files_in(folder).empty());
 }
 
+TEST_CASE("a symbolic link stays one, and what it names is written") {
+  const Folder folder;
+  folder.write("target.txt", "before");
+  fs::create_directory(folder.path("below"));
+  fs::create_symlink("../target.txt", folder.path("below/link.txt"));
+  fs::create_symlink("new.txt", folder.path("dangling.txt"));
+  CHECK(folder.run("derive symplectic-euler -o below/link.txt").code == 0);
+  CHECK(folder.run("derive symplectic-euler -o dangling.txt").code == 0);
+  CHECK(fs::is_symlink(folder.path("below/link.txt")));
+  CHECK(fs::is_symlink(folder.path("dangling.txt")));
+  CHECK(contains(folder.text("target.txt"), "symplectic-euler"));
+  CHECK(folder.text("new.txt") == folder.text("target.txt"));
+  CHECK(folder.run("derive symplectic-euler -o /dev/stdout >>target.txt 2>.error #").code == 0);
+  CHECK(folder.text("target.txt") == folder.text("new.txt") + folder.text("new.txt"));
+  CHECK(fs::is_symlink("/dev/stdout"));
+}
+
+TEST_CASE("a new file whose place cannot be looked at is exit code 5") {
+  const Folder folder;
+  CHECK(folder.run("new integrator " + std::string(300, 'a') + ".integrator").code == 5);
+  folder.write("file", "");
+  CHECK(folder.run("new integrator file/a.integrator").code == 5);
+}
+
+TEST_CASE("one kind of output is printed: two are refused") {
+  const Folder folder;
+  for (const std::string command :
+       {"jump --height 1 --json --csv", "jump --height 1 --lang cpp --json", "correct rk4 --lang cpp --json",
+        "derive rk4 --json --latex", "modified rk4 --latex --json", "damping godot --lang cpp --json",
+        "clock --dt 0.1f --until 1h --json --csv", "show rk4 --lang cpp --json",
+        "trade s.toml --json --csv"}) {
+    CAPTURE(command);
+    const CommandRun o = run(command);
+    CHECK(o.code == 2);
+    CHECK(contains(o.error, ": give one of them"));
+  }
+  CHECK(run("extremes --substeps 4").code == 2);
+  CHECK(run("extremes box2d --substeps 4 --formats f32").code == 0);
+}
+
 TEST_CASE("a signal ends the work at once, and leaves nothing half-written") {
   const Folder folder;
   // An answer that takes far longer than the test waits.

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Runs every command of the ```console blocks of documents again and compares what it prints.
+"""Runs every command of the ```console blocks of documents again and compares what it prints; runs the commands that
+stand indented, without their output; and steps the scenes of ```toml blocks.
 
 A line `$ command` is run with shortfall on the PATH in a directory of the document's own, empty but for links to the repository's examples, scenes and
 tests (so what a reader runs at the root of the repository runs here); the lines up to the next `$` or the end of the block must be its output (stdout
-and stderr together). A line `...` stands for any number of lines. `# exit N` as the last line states the exit code.
+and stderr together). Of an indented command only the exit code is looked at: 0, or N where a comment behind it says `exit N`. A line `...` stands for any number of lines. `# exit N` as the last line states the exit code.
 Usage: run_blocks.py SHORTFALL DOCUMENT...
 """
 import difflib
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -34,6 +36,24 @@ def blocks(path):
         elif inside and found:
             found[-1][2].append(line)
     return found
+
+
+def indented_commands(path):
+    """(line number, command, exit code) of every command that is shown indented by four blanks."""
+    found, fenced = [], False
+    for number, line in enumerate(open(path, encoding="utf-8"), 1):
+        fenced ^= line.startswith("```")
+        shown = re.match(r"    ((?:shortfall|awk|printf) .*?)(?:  +# (.*))?$", line.rstrip("\n"))
+        if shown and not fenced:
+            code = re.search(r"exit (\d+)", shown[2] or "")
+            found.append((number, shown[1], int(code[1]) if code else 0))
+    return found
+
+
+def scenes(path):
+    """(line number, text) of every ```toml block."""
+    text = open(path, encoding="utf-8").read()
+    return [(text.count("\n", 0, m.start()) + 1, m[1]) for m in re.finditer(r"^```toml\n(.*?)^```$", text, re.M | re.S)]
 
 
 def matches(expected, actual):
@@ -65,6 +85,20 @@ def main():
                 failed += 1
                 print(f"{document}:{number}: $ {command}\n  exit code {run.returncode}, expected {code}")
                 print("\n".join("  " + line for line in difflib.unified_diff(expected, actual, "document", "today", lineterm="", n=1)))
+            others = indented_commands(document)
+            for number, text in scenes(document):
+                name = f"scene-{number}.toml"
+                with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                    file.write(text)
+                others.append((number, f"shortfall trade {name} --integrators rk4 --no-peers --repeats 0", 0))
+            for number, command, code in others:
+                run = subprocess.run(command, shell=True, cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                                     stdout=subprocess.PIPE, stderr=subprocess.STDOUT, timeout=300)
+                if run.returncode == code:
+                    passed += 1
+                    continue
+                failed += 1
+                print(f"{document}:{number}: {command}\n  exit code {run.returncode}, expected {code}\n  {run.stdout.decode('utf-8')[-600:]}")
     print(f"{passed} commands as printed, {failed} not")
     return 1 if failed or not passed else 0
 

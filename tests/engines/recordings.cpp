@@ -13,23 +13,15 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/identify/components.hpp"
 #include "tests/engines/recording.hpp"
+#include "tests/scratch_folder.hpp"
 
 namespace shortfall::engines {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// A folder of one recording, which goes away.
-struct Folder {
-  fs::path path = [] {
-    std::string name = (fs::temp_directory_path() / "shortfall-recordings-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    return fs::path(name);
-  }();
-  ~Folder() { fs::remove_all(path); }
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
-
+/// A folder of one recording.
+struct Folder : ScratchFolder {
   /// Why the folder is refused, with one recording of these lines.
   std::string refusal(const std::string& lines, const std::string& precision = "float32") const {
     write("manifest.json",
@@ -38,9 +30,9 @@ struct Folder {
               precision + "\"}]}");
     write("one.csv", "frame,time,x,y,z,vx,vy,vz\n" + lines);
     try {
-      recordings(path);
+      recordings(root());
     } catch (const Error& e) {
-      return std::string(e.what()).substr(path.string().size() + 1);
+      return std::string(e.what()).substr(root().string().size() + 1);
     }
     return {};
   }
@@ -68,11 +60,11 @@ TEST_CASE("a recording without sense is refused, with its place") {
   CHECK(folder.refusal("0,0,0,0,0,0,1,0\n1,0.02,0,0.02,0,0,1\n") == "one.csv:3: has 7 cells, not 8");
   CHECK(folder.refusal("0,0,0,0,0,0,up,0\n1,0.02,0,0.02,0,0,1,0\n") == "one.csv:2: 'up' is no number");
   folder.write("manifest.json", "{\"entries\": [{}]}");
-  CHECK_THROWS_AS(recordings(folder.path), BadInput);
+  CHECK_THROWS_AS(recordings(folder.root()), BadInput);
   folder.write("manifest.json", "{");
-  CHECK_THROWS_AS(recordings(folder.path), BadInput);
-  fs::remove(folder.path / "manifest.json");
-  CHECK_THROWS_AS(recordings(folder.path), UnreadableFile);
+  CHECK_THROWS_AS(recordings(folder.root()), BadInput);
+  fs::remove(folder.root() / "manifest.json");
+  CHECK_THROWS_AS(recordings(folder.root()), UnreadableFile);
 }
 
 TEST_CASE("binary32 is read with one rounding") {
@@ -80,7 +72,7 @@ TEST_CASE("binary32 is read with one rounding") {
   // even.
   const Folder folder;
   CHECK(folder.refusal("0,0,1.00000005960464477540,0,0,0,0,0\n1,0,0,0,0,0,0,0\n").empty());
-  CHECK(recordings(folder.path)[0].rows[0].x[0] == 1.00000011920928955078125);
+  CHECK(recordings(folder.root())[0].rows[0].x[0] == 1.00000011920928955078125);
 }
 
 TEST_CASE("each way of adding gravity and a force rounds as it says") {

@@ -13,6 +13,7 @@
 #include "notebooks-export/figure_contour.hpp"
 #include "notebooks-export/figure_gnuplot.hpp"
 #include "notebooks-export/figure_stability.hpp"
+#include "tests/scratch_folder.hpp"
 #include "tests/undamped_catalogue.hpp"
 
 using namespace shortfall;
@@ -96,9 +97,8 @@ TEST_CASE("a hostile title is drawn and nothing is run") {
     MESSAGE("gnuplot is not installed: not drawn here");
     return;
   }
-  std::string folder = (fs::temp_directory_path() / "shortfall-figure-XXXXXX").string();
-  REQUIRE(::mkdtemp(folder.data()) != nullptr);
-  const fs::path file = fs::path(folder) / "run";
+  const ScratchFolder folder;
+  const fs::path file = folder.path("run");
   for (const ImageFormat format : {ImageFormat::svg, ImageFormat::png, ImageFormat::pdf}) {
     const std::string bytes = image(hostile_figure(file), format);
     CHECK(bytes.size() > 1000);
@@ -108,7 +108,6 @@ TEST_CASE("a hostile title is drawn and nothing is run") {
       CHECK(bytes.find("ω √2") != std::string::npos);
     }
   }
-  fs::remove_all(folder);
 }
 
 TEST_CASE("the format is the name's ending, in any case") {

@@ -6,9 +6,9 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
+
+#include "tests/scratch_folder.hpp"
 
 namespace shortfall {
 
@@ -20,25 +20,14 @@ inline bool installed(const std::string& tool) {
   return found;
 }
 
-/// A folder that goes away.
-struct CodeFolder {
-  fs::path path = [] {
-    std::string name = (fs::temp_directory_path() / "shortfall-code-XXXXXX").string();
-    REQUIRE(::mkdtemp(name.data()) != nullptr);
-    return fs::path(name);
-  }();
-  ~CodeFolder() { fs::remove_all(path); }
-
-  void write(const std::string& name, const std::string& text) const { std::ofstream(path / name) << text; }
-
+/// A folder in which printed code is compiled and run.
+struct CodeFolder : ScratchFolder {
   /// What a command says, both ways; it must succeed.
   std::string output(const std::string& command) const {
-    const std::string out = (path / "output").string();
-    const int code = std::system(("cd " + path.string() + " && (" + command + ") > output 2>&1").c_str());
-    std::ifstream in(out);
-    const std::string text(std::istreambuf_iterator<char>(in), {});
-    CHECK_MESSAGE(code == 0, command << "\n" << text);
-    return text;
+    const int code = std::system(("cd " + root().string() + " && (" + command + ") > output 2>&1").c_str());
+    const std::string said = text("output");
+    CHECK_MESSAGE(code == 0, command << "\n" << said);
+    return said;
   }
 };
 

@@ -19,9 +19,9 @@ ShellRun script(const std::string& python, const std::string& name, const std::s
 }
 
 /// Writes a file; its name as a shell takes it.
-std::string written(const Scratch& folder, const std::string& name, const std::string& text) {
+std::string written(const ScratchFolder& folder, const std::string& name, const std::string& text) {
   folder.write(name, text);
-  return folder.quoted(name);
+  return quoted(folder, name);
 }
 
 std::string shortfall(const std::string& arguments) { return "'" SHORTFALL_BINARY "' " + arguments; }
@@ -59,7 +59,7 @@ TEST_CASE("every lesson runs, and its assertions hold, in Jupyter as well") {
     MESSAGE("python3 is not installed: lessons are written, but not run");
     return;
   }
-  const Scratch folder;
+  const ScratchFolder folder;
   std::string files;
   for (const Lesson& lesson : lessons())
     files += " " + written(folder, lesson.name + ".ipynb", notebook(lesson, LessonFor::teacher));
@@ -80,7 +80,7 @@ TEST_CASE("the pupil's copy holds no answer, and its checks fail until there is 
     MESSAGE("python3 is not installed: not run");
     return;
   }
-  const Scratch folder;
+  const ScratchFolder folder;
   for (const Lesson& lesson : lessons()) {
     const std::string teacher = written(folder, "teacher.ipynb", notebook(lesson, LessonFor::teacher));
     const std::string pupil = written(folder, "pupil.ipynb", notebook(lesson, LessonFor::pupil));
@@ -96,11 +96,11 @@ TEST_CASE("a lesson runs without matplotlib, too") {
     MESSAGE("python3 is not installed: not run");
     return;
   }
-  const Scratch folder;
+  const ScratchFolder folder;
   folder.write("matplotlib.py", "raise ImportError('hidden by a test')\n");
   const std::string file =
       written(folder, "falling-short.ipynb", notebook(find_lesson("falling-short"), LessonFor::teacher));
-  const ShellRun outcome = shell_run("PYTHONPATH='" + folder.path().string() + "' '" + interpreter +
+  const ShellRun outcome = shell_run("PYTHONPATH='" + folder.root().string() + "' '" + interpreter +
                                      "' '" SHORTFALL_SOURCE_DIR "/tests/export/run_notebook.py' " + file);
   INFO(outcome.output);
   CHECK(outcome.code == 0);
@@ -120,7 +120,7 @@ TEST_CASE("a lesson fails when one of its numbers or formulas is wrong") {
       {"floats", "24986955", "24986956"},
       {"modified-equation", "series(0, 0, Fraction(-1, 2))", "series(0, 0, Fraction(1, 2))"},
       {"nine-engines", "\\\"Bullet\\\": 14.25", "\\\"Bullet\\\": 14.26"}};
-  const Scratch folder;
+  const ScratchFolder folder;
   std::string files;
   for (std::size_t i = 0; i < mistakes.size(); ++i) {
     const auto& [name, from, to] = mistakes[i];
@@ -238,13 +238,13 @@ TEST_CASE("a mistake in a lesson file is named with its line") {
 }
 
 TEST_CASE("shortfall export writes a lesson into a folder, and no answer over an older one") {
-  const Scratch folder;
-  const std::string out = folder.quoted("new/lesson");
+  const ScratchFolder folder;
+  const std::string out = quoted(folder, "new/lesson");
   CHECK(shell_run(shortfall("export lesson:falling-short --exercise -o " + out)).code == 0);
-  const fs::path file = folder.path() / "new/lesson/falling-short.ipynb";
+  const fs::path file = folder.root() / "new/lesson/falling-short.ipynb";
   const std::string pupil = notebook(find_lesson("falling-short"), LessonFor::pupil);
   CHECK(read(file) == pupil);
-  CHECK(read(folder.path() / "new/lesson/falling-short.md").find("pupil's copy") != std::string::npos);
+  CHECK(read(folder.root() / "new/lesson/falling-short.md").find("pupil's copy") != std::string::npos);
 
   const ShellRun refused = shell_run(shortfall("export lesson:falling-short -o " + out));
   CHECK(refused.code == 2);

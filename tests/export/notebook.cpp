@@ -71,7 +71,7 @@ TEST_CASE("every notebook's cells run and their assertions hold") {
   if (interpreter.empty()) {
     MESSAGE("python3 is not installed: notebooks are written, but not run");
   }
-  const Scratch folder;
+  const ScratchFolder folder;
   const auto add = [&](const std::string& name, const std::string& text) {
     folder.write(name + ".ipynb", text);
   };
@@ -94,7 +94,7 @@ TEST_CASE("every notebook's cells run and their assertions hold") {
   add("substeps-multistep", exported("beeman", 2, {}, 3));
   add("awkward", exported(parse(kAwkward, "awkward.integrator"), 1));
   if (interpreter.empty()) return;
-  const ShellRun outcome = run_notebooks(interpreter, "'" + folder.path().string() + "'/*.ipynb");
+  const ShellRun outcome = run_notebooks(interpreter, "'" + folder.root().string() + "'/*.ipynb");
   INFO(outcome.output);
   CHECK(outcome.code == 0);
 }
@@ -119,14 +119,16 @@ TEST_CASE("a notebook fails when one coefficient of its formulas is wrong") {
       {"v = v0 - Fraction(1, 2) * a * h", "v = v0 + Fraction(1, 2) * a * h"},        // a correction
       {"assert impossible([\\\"force\\\"])", "assert impossible([\\\"launch v\\\", \\\"read v\\\"])"},
       {"\\\"2.762010199\\\"", "\\\"2.762010198\\\""}};  // the jump
-  const Scratch folder;
-  CHECK(run_notebooks(interpreter, "'" + folder.write("right.ipynb", right).string() + "'").code == 0);
+  const ScratchFolder folder;
+  folder.write("right.ipynb", right);
+  CHECK(run_notebooks(interpreter, quoted(folder, "right.ipynb")).code == 0);
   int number = 0;
   std::string files;
-  for (const auto& [from, to] : mistakes)
-    files += " '" +
-             folder.write("wrong" + std::to_string(number++) + ".ipynb", altered(right, from, to)).string() +
-             "'";
+  for (const auto& [from, to] : mistakes) {
+    const std::string name = "wrong" + std::to_string(number++) + ".ipynb";
+    folder.write(name, altered(right, from, to));
+    files += " " + quoted(folder, name);
+  }
   const ShellRun outcome = run_notebooks(interpreter, files);
   INFO(outcome.output);
   CHECK(outcome.code == 1);
@@ -140,9 +142,9 @@ TEST_CASE("a notebook is also one for Jupyter") {
     MESSAGE("python3 is not installed: not run");
     return;
   }
-  const Scratch folder;
-  const fs::path file = folder.write("falling-short.ipynb", exported("symplectic-euler", 0));
-  const ShellRun outcome = run_notebooks(interpreter, "--jupyter '" + file.string() + "'");
+  const ScratchFolder folder;
+  folder.write("falling-short.ipynb", exported("symplectic-euler", 0));
+  const ShellRun outcome = run_notebooks(interpreter, "--jupyter " + quoted(folder, "falling-short.ipynb"));
   INFO(outcome.output);
   if (outcome.code == 77)
     MESSAGE("nbformat, nbconvert and ipykernel are not installed: not run in Jupyter");
@@ -186,8 +188,8 @@ TEST_CASE("a notebook of a degree that nobody reads is refused") {
 }
 
 TEST_CASE("shortfall export writes the notebook, and replaces an older one") {
-  const Scratch folder;
-  const std::string file = (folder.path() / "falling-short.ipynb").string();
+  const ScratchFolder folder;
+  const std::string file = (folder.root() / "falling-short.ipynb").string();
   folder.write("falling-short.ipynb", "an older one");
   const std::string command = "'" SHORTFALL_BINARY "' export symplectic-euler --force constant";
   const ShellRun outcome = shell_run(command + " --notebook -o '" + file + "'");

@@ -9,39 +9,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <string>
 #include <vector>
+
+#include "tests/scratch_folder.hpp"
 
 namespace shortfall {
 
 namespace fs = std::filesystem;
 
-/// A folder that goes away with the test.
-class Scratch {
- public:
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "shortfall-export-XXXXXX").string();
-    REQUIRE(mkdtemp(name.data()) != nullptr);
-    path_ = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(path_ / name, std::ios::binary) << text;
-    return path_ / name;
-  }
-  std::string quoted(const std::string& name) const { return "'" + (path_ / name).string() + "'"; }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
+/// The path of a file in it, as a shell reads it.
+inline std::string quoted(const ScratchFolder& folder, const std::string& file) {
+  return "'" + folder.path(file) + "'";
+}
 
 struct ShellRun {
   int code = -1;

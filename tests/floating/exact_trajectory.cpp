@@ -106,7 +106,8 @@ TEST_CASE("exact trajectories of the catalogue are those of the interpreter in r
 TEST_CASE("exact trajectories of random integrators are those of the interpreter") {
   shortfall::testing::Chance chance(20);
   int count = 0;
-  for (const auto& [kind, text] : shortfall::testing::random_integrators(chance, 12)) {
+  for (const auto& [kind, written] : shortfall::testing::random_integrators(chance, 12)) {
+    const std::string& text = written;
     const Program program = parse(text, "random.integrator");
     NumericQuestion q = question(kForces[chance.number(0, 5)], "1/10", "0");
     q.h = Rational(chance.number(1, 40), chance.number(1, 60));

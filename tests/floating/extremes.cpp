@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "analysis/program/catalogue.hpp"
+#include "analysis/program/parse.hpp"
 
 using namespace shortfall;
 
@@ -57,6 +58,13 @@ TEST_CASE("steps: far away nothing moves, at the limit two powers of n meet, bey
   CHECK(named(verlet, "h w = 2 exactly").exact == "-999.00000 m");
   CHECK(named(verlet, "h w = 2 exactly").computed == "-999.00000 m");
   CHECK(named(verlet, "blowing up").computed.find("NaN from step") != std::string::npos);
+  // Three substeps have the limit 6, no power of two: its neighbours are 2^-21 away on both sides.
+  const Program three = parse(
+      "integrator three\nstep\n  substeps 3 {\n    v = v + h*a(x, v, t)\n    x = x + h*v\n  }\n", "three");
+  const std::vector<ExtremeCase> substepped = extreme_steps(float_format("f32"), three, {});
+  const std::string at = named(substepped, "h w = 6 exactly").computed;
+  CHECK(named(substepped, "one unit below").computed != at);
+  CHECK(named(substepped, "one unit above").computed != at);
   CHECK(named(verlet, "1e0 m").lost == false);
   CHECK(named(verlet, "1e300 m").lost);
   const std::vector<ExtremeCase> wide =

@@ -175,7 +175,7 @@ TEST_CASE(
       exact.steps = 25;
       exact.digits = 80;
       const Ball error = numeric_motion(s.program, exact).position.ball - Ball(run->state().first.value, 400);
-      CAPTURE(name);
+      CAPTURE(format.name());
       CHECK((abs(error) - Ball(Rational(1) / Rational(10).pow(digits), 400)).sign() == -1);
     }
   }

@@ -12,6 +12,7 @@
 #include "analysis/algebra/surd.hpp"
 #include "analysis/floating/budget.hpp"
 #include "analysis/program/catalogue.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace shortfall;
 
@@ -31,9 +32,8 @@ TEST_CASE("compiled float code of correct --lang cpp has the bits of the budget'
     MESSAGE("left out: no compiler is called c++ here");
     return;
   }
-  std::string folder = (fs::temp_directory_path() / "shortfall-bits-XXXXXX").string();
-  REQUIRE(::mkdtemp(folder.data()) != nullptr);
-  const fs::path path(folder);
+  const ScratchFolder folder;
+  const fs::path& path = folder.root();
   const std::vector<std::string> names{"symplectic-euler", "velocity-verlet", "rk4", "position-verlet",
                                        "leapfrog"};
   const std::vector<std::pair<std::string, Rational>> heights{
@@ -77,5 +77,4 @@ TEST_CASE("compiled float code of correct --lang cpp has the bits of the budget'
     CHECK(b.lines.at(0).computed.value == Rational::from_double(std::strtod(bits.c_str(), nullptr)));
   }
   CHECK(compared >= 9);
-  fs::remove_all(path);
 }

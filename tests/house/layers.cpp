@@ -42,7 +42,7 @@ std::optional<std::size_t> layer(std::string_view path) {
 /// Tests, benchmarks and examples stand on top: they may include everything.
 bool is_on_top(std::string_view path) {
   return path.starts_with("tests/") || path.starts_with("bench/") || path.starts_with("examples/") ||
-         path.starts_with("fuzz/");
+         path.starts_with("fuzz/") || path.starts_with("cmake/");
 }
 
 /// The file named by an #include "..." line.

@@ -2,6 +2,7 @@
 // Logs as people have them.
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <string>
 
@@ -35,6 +36,16 @@ TEST_CASE("columns are known by their names, whatever stands between them") {
   CHECK(other.velocities);
   CHECK(other.unit == "cm");
   CHECK(*other.dt == Rational(1, 50));
+}
+
+TEST_CASE("a velocity without an axis is that of the only position") {
+  for (const std::string axis : {"x", "y", "z"}) {
+    const Log log = parse_log("t," + axis + ",v\n0,1,2\n0.1,2,3\n0.2,3,4\n0.3,4,5\n", "log");
+    CAPTURE(axis);
+    REQUIRE(log.velocities);
+    REQUIRE(log.axes.size() == 1);
+    CHECK(log.rows[1].v[static_cast<std::size_t>(log.axes[0])] == 3);
+  }
 }
 
 TEST_CASE("columns are what an option says") {
@@ -101,6 +112,32 @@ TEST_CASE("frames that are not equally long are seen, and milliseconds are not t
   const Log coarse = parse_log("time,y\n0,1\n0.017,2\n0.033,3\n0.050,4\n0.067,1\n0.083,2\n0.100,3\n", "log");
   CHECK(coarse.equal_steps);
   CHECK(*coarse.dt == Rational(1, 60));
+}
+
+TEST_CASE("frames that are left out are counted, and frame numbers grow") {
+  const Log log = parse_log("frame,time,y\n0,0,1\n2,0.04,2\n4,0.08,3\n6,0.12,4\n8,0.16,5\n", "log");
+  CHECK(log.equal_steps);
+  REQUIRE(log.dt);
+  CHECK(*log.dt == Rational(1, 50));
+  CHECK(log.rows[2].frame == 4);
+  const auto with_second_frame = [](const std::string& frame) {
+    return "frame,time,y\n0,0,1\n" + frame + ",0.1,2\n2,0.2,3\n3,0.3,4\n";
+  };
+  CHECK(refusal(with_second_frame("1")).empty());
+  CHECK(refusal(with_second_frame("0")) ==
+        "log:3:1: the frame number does not grow here: the row before has 0");
+  CHECK(refusal(with_second_frame("2")).starts_with("log:4:1: the frame number does not grow here"));
+  CHECK(refusal(with_second_frame("1e300")) == "log:3:1: a frame number has 15 digits or fewer");
+}
+
+TEST_CASE("a step may be tiny or long, and is never nothing") {
+  for (const std::string unit : {"e-18", "e-12", "e9", "e17"}) {
+    CAPTURE(unit);
+    const Log log =
+        parse_log("time,y\n0,1\n1" + unit + ",2\n2" + unit + ",3\n3" + unit + ",4\n4" + unit + ",5\n", "log");
+    REQUIRE(log.dt);
+    CHECK(std::fabs(log.dt->to_double() / std::stod("1" + unit) - 1) < 1e-9);
+  }
 }
 
 TEST_CASE("of a long file only the beginning is kept") {

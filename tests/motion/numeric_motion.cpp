@@ -184,6 +184,22 @@ TEST_CASE(
         doctest::Approx(-9 / damping).epsilon(1e-13));
 }
 
+TEST_CASE("what is 0, or rational, is said to be so, also where the step has roots") {
+  for (const char* name : {"forest-ruth", "yoshida4", "suzuki4", "mclachlan-s4"}) {
+    CAPTURE(name);
+    for (const char* steps : {"1", "7", "1000000"}) {
+      const NumericMotion m =
+          numeric_motion(find_integrator(name), question("poly:3:f0=1,f1=2,f2=-3,f3=1/2", "1/10", steps));
+      REQUIRE(m.velocity_shortfall.exact);  // order 4: a quadrature that is exact for cubics
+      CHECK(m.velocity_shortfall.exact->is_zero());
+      REQUIRE(m.velocity.exact);
+      CHECK(*m.velocity.exact == *m.exact_velocity.exact);
+      CHECK(m.position_shortfall.decimal);
+      CHECK_FALSE(m.position_shortfall.exact);
+    }
+  }
+}
+
 TEST_CASE("questions without an answer are refused with a sentence") {
   const Program p = find_integrator("implicit-midpoint");
   CHECK_THROWS_AS(numeric_motion(p, question("spring", "1/10", "5")), BadInput);

@@ -18,6 +18,19 @@ Verdict verdict_on(const char* integrator, int degree, const char* formula, cons
 
 }  // namespace
 
+TEST_CASE("a formula that the start refutes is said to hold from then on") {
+  const Program program = find_integrator("adams-bashforth-2");
+  const Derivation d = derivation(program, 1);
+  const Verdict v = verdict(d, program, {}, d.position, true);
+  CHECK_FALSE(v.proved);
+  REQUIRE(v.counter_example);
+  CHECK(v.counter_example->n == 0);
+  CHECK(v.holds_from == 1);
+  CHECK(v.found_from == 1);
+  const Verdict never = verdict(d, program, {}, d.position + name("x0"), true);
+  CHECK_FALSE(never.holds_from);
+}
+
 TEST_CASE("a right formula is proved in whatever way it is written") {
   CHECK(verdict_on("symplectic-euler", 0, "x0 + v0*t + 1/2*a*t^2 + 1/2*a*h*t").proved);
   CHECK(verdict_on("symplectic-euler", 0, "x0 + h*(v0*n + a*h*n*(n + 1)/2)").proved);

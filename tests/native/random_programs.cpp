@@ -21,6 +21,7 @@
 #include "analysis/program/print.hpp"
 #include "analysis/program/run.hpp"
 #include "tests/program/random_program.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace shortfall;
 
@@ -57,9 +58,8 @@ std::string interpreted(const Program& program) {
 
 /// What the classes of some programs print, compiled by the compiler of this system: a line each.
 std::vector<std::string> compiled(const std::vector<Program>& programs) {
-  std::string folder = (fs::temp_directory_path() / "shortfall-native-XXXXXX").string();
-  REQUIRE(::mkdtemp(folder.data()) != nullptr);
-  const fs::path path(folder);
+  const ScratchFolder folder;
+  const fs::path& path = folder.root();
   std::string calls;
   std::set<std::string> texts;
   std::ofstream main(path / "main.cpp");
@@ -115,7 +115,6 @@ int main() {
   std::vector<std::string> lines;
   std::ifstream out(path / "out");
   for (std::string line; std::getline(out, line);) lines.push_back(line);
-  fs::remove_all(path);
   return lines;
 }
 

@@ -3,6 +3,7 @@
 
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <cstring>
 #include <functional>
 #include <random>
@@ -21,8 +22,9 @@ namespace shortfall::native {
 template <class T>
 bool same(const T& a, const T& b) {
   if constexpr (std::is_floating_point_v<T>)
-    if (std::signbit(a) != std::signbit(b)) return a != a && b != b;
-  return a == b || (!(a == a) && !(b == b));
+    if (std::signbit(a) != std::signbit(b)) return std::isnan(a) && std::isnan(b);
+  const auto is_number = [](const T& x) { return x == x; };  // NOLINT(misc-redundant-expression): NaN is not
+  return a == b || (!is_number(a) && !is_number(b));
 }
 
 /// A force by reference: one type for all forces, so that every class is compiled once a number type.
@@ -127,7 +129,8 @@ int check_catalogue(const Round<T>& round, int seed, int steps) {
   visit_catalogue([&]<template <class, class, class> class Class>(const char* name) {
     Draw draw{std::mt19937_64(static_cast<unsigned>(seed))};
     const Program program = find_integrator(name);
-    for (const auto& [what, force] : forces<T>(round, draw)) {
+    for (const auto& [title, force] : forces<T>(round, draw)) {
+      const auto& what = title;
       CAPTURE(name);
       CAPTURE(what);
       CHECK(difference<T, Class>(name, nullptr, round, draw, force, steps) == "");

@@ -10,6 +10,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "tests/program/find_refusal.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace shortfall;
 
@@ -68,12 +69,12 @@ TEST_CASE("a path is a path: what cannot be read is refused") {
 }
 
 TEST_CASE("a file of the user is read, an endless one is not read for ever") {
-  std::string folder = (std::filesystem::temp_directory_path() / "shortfall-own-XXXXXX").string();
-  REQUIRE(::mkdtemp(folder.data()) != nullptr);
-  const auto file = std::filesystem::path(folder) / "own.integrator";
-  std::ofstream(file) << "integrator my-own\nstep\n  x = x + h*v\n";
-  CHECK(find_integrator(file.string()).name == "my-own");
-  std::filesystem::remove_all(folder);
+  const ScratchFolder folder;
+  folder.write("own.integrator", "integrator my-own\nstep\n  x = x + h*v\n");
+  const Program own = find_integrator(folder.path("own.integrator"));
+  CHECK(own.name == "my-own");
+  CHECK(word_for(own) == folder.path("own.integrator"));
+  CHECK(word_for(find_integrator("Verlet")) == find_integrator("Verlet").name);
   CHECK_THROWS_AS(find_integrator("/dev/zero"), SyntaxError);
   CHECK_THROWS_AS(find_integrator("/dev/null"), SyntaxError);
 }

@@ -124,6 +124,11 @@ TEST_CASE("any text can be the name; the integrator's is made of it") {
   CHECK(parse_tableau(R"({"name": "??", "A": [[]], "b": [1]})", "folder/My_Method.json").name == "my-method");
   CHECK(parse(print(read(R"({"name": "Tom\nJones", "A": [[]], "b": [1]})").program), "printed").name ==
         "tom-jones");
+  const auto about = [](const std::string& text) { return print(read(text).program); };
+  CHECK(about(R"({"description": "\u00b5s, \ud83d\ude00", "A": [[]], "b": [1]})").find("µs, 😀") !=
+        std::string::npos);
+  CHECK_THROWS_WITH(read(R"({"description": "\ud83d", "A": [[]], "b": [1]})"),
+                    doctest::Contains("half a character"));
 }
 
 TEST_CASE("a description or source of several lines is still a comment in the integrator") {

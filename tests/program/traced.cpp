@@ -142,14 +142,14 @@ struct Traces {
 TEST_CASE("every explicit integrator of the catalogue, run on traced values, is traced to the same bits") {
   int traced_ones = 0;
   for (const Program& p : catalogue()) {
-    if (p.states.size() > 0 || p.impulse || p.holds_force || !p.approximations.empty()) continue;
+    if (!p.states.empty() || p.impulse || p.holds_force || !p.approximations.empty()) continue;
     CAPTURE(p.name);
     const Tape tape = lower(p);
     Tracing tracing("copy");
     for (const Parameter& q : p.parameters)
       tracing.parameter(q.name, parameter_values(p).at(q.name), q.dimension.str());
     const auto run = [&](bool read_out) {
-      return [&tape, read_out](TracedVector& x, TracedVector& v, TracedScalar t, TracedScalar h,
+      return [&tape, read_out](TracedVector& x, TracedVector& v, const TracedScalar& t, const TracedScalar& h,
                                TracedForce a, Carried& carried) {
         Traces problem{a, &carried, &tape, v - v};
         Run<Traces> steps(tape, problem, h);

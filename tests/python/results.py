@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Answers are objects: exact numbers, tables, pictures of themselves."""
 
+import os
 import sys
 import unittest
 from fractions import Fraction
@@ -69,8 +70,20 @@ class Results(unittest.TestCase):
             ("(a + b)^2/sqrt(2)", r"\frac{\left(a + b\right)^{2}}{\sqrt{2}}"),
             ("lambda^2 - alpha_m", r"\lambda^{2} - \alpha_{m}"),
             ("f0 - -a", r"f_{0} - \left(-a\right)"),
+            ("(1/2)^n", r"\left(\frac{1}{2}\right)^{n}"),
+            ("(x^2)^3", r"\left(x^{2}\right)^{3}"),
+            ("+x", "x"),
+            ("-(1/2)*x", r"-\frac{1}{2} \, x"),
         ):
             self.assertEqual(sf.Formula(plain).latex, latex)
+
+    def test_two_functions_of_one_name_are_two(self):
+        euler, explicit = (lambda x, v, t, a, h: (x + h*(v + h*a(x, v, t)), v + h*a(x, v, t)),
+                           lambda x, v, t, a, h: (x + h*v, v + h*a(x, v, t)))
+        port = sf.run("port", euler, explicit, height=1.7, dt="60Hz")
+        self.assertNotEqual(port.launch, port.ported.launch)
+        self.assertEqual(port.launch, sf.run("port", "symplectic-euler", "explicit-euler", height=1.7, dt="60Hz").launch)
+        self.assertNotIn(os.sep + "0" + os.sep, port.text())
 
     def test_formulas_evaluate_by_the_languages_rules(self):
         self.assertEqual(sf.Formula("-h^2").at(h=3), -9)

@@ -79,7 +79,10 @@ TEST_CASE("integrators of the catalogue are read as the splittings that they are
       {"newmark", "it solves for a stage, while kicks and drifts are explicit"},
       {"beeman", "it remembers more than a position and a velocity: a_prev"},
       {"adams-bashforth-2", "it remembers more than a position and a velocity: a_prev"}};
-  for (const auto& [name, expected] : known) CHECK_MESSAGE(read(find_integrator(name)) == expected, name);
+  for (const auto& [word, expected] : known) {
+    const std::string name = word;
+    CHECK_MESSAGE(read(find_integrator(name)) == expected, name);
+  }
 }
 
 TEST_CASE("every splitting of the catalogue moves as its kicks and drifts do, three steps long") {

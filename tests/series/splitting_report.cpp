@@ -48,7 +48,8 @@ TEST_CASE(
                                                              {"blanes-moan-rkn6", 4, 4},
                                                              {"blanes-moan-rkn11", 4, 6},
                                                              {"blanes-moan-rkn14", 4, 6}};
-  for (const auto& [name, any, mechanical] : known) {
+  for (const auto& [word, any, mechanical] : known) {
+    const std::string name = word;
     const SplittingReport report = splitting_report(find_integrator(name), 7);
     CHECK_MESSAGE(report.any.order == any, name);
     CHECK_MESSAGE(report.mechanical.order == mechanical, name);

@@ -33,8 +33,8 @@ struct Plane {
   PlaneForce force{{Polynomial(0) - v.derivative(0), Polynomial(0) - v.derivative(1)}, kPlaneOrder};
 
   /// x and v after a step of the length `h`, from where x and v are letters or what is given.
-  std::array<Polynomial, 4> after(const SeriesSource& source, const Polynomial& h, PlaneForce::Vector x,
-                                  PlaneForce::Vector u) {
+  std::array<Polynomial, 4> after(const SeriesSource& source, const Polynomial& h,
+                                  const PlaneForce::Vector& x, const PlaneForce::Vector& u) {
     Run<PlaneForce> run(source.tape(), force, {h});
     run.begin(x, u, {Polynomial(0)});
     run.step();

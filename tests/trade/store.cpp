@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
-#include <unistd.h>
 #include <cmath>
 
 #include <cstdio>
@@ -11,6 +10,7 @@
 #include "analysis/algebra/error.hpp"
 #include "analysis/trade/outcome_text.hpp"
 #include "analysis/trade/trade.hpp"
+#include "tests/scratch_folder.hpp"
 
 using namespace shortfall;
 
@@ -37,29 +37,22 @@ bool same(const SceneOutcome& a, const SceneOutcome& b) {
          a.errors == b.errors && a.nanoseconds == b.nanoseconds;
 }
 
-struct Scratch {
-  std::filesystem::path path =
-      std::filesystem::temp_directory_path() / ("shortfall-store-" + std::to_string(::getpid()));
-  Scratch() { std::filesystem::create_directory(path); }
-  ~Scratch() { std::filesystem::remove_all(path); }
-};
-
 }  // namespace
 
 TEST_CASE("outcomes come back from a store and from a line with all their bits") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   SceneOutcome failed;
   failed.failed = true;
   failed.why = "not finite after frame 3,\n\"quoted\" 'text'";
   {
-    PointStore store((scratch.path / "s.sqlite").string());
+    PointStore store(scratch.path("s.sqlite"));
     CHECK(!store.find("a"));
     store.put("a", sample());
     store.put("b", failed);
     store.put("a", sample());
     CHECK(store.size() == 2);
   }
-  const PointStore again((scratch.path / "s.sqlite").string());
+  const PointStore again(scratch.path("s.sqlite"));
   REQUIRE(again.find("a"));
   CHECK(same(*again.find("a"), sample()));
   CHECK(again.find("a")->choice.frame == Rational(1, 3));
@@ -71,9 +64,9 @@ TEST_CASE("outcomes come back from a store and from a line with all their bits")
 }
 
 TEST_CASE("what is no store is refused, and left as it is") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   CHECK_THROWS_AS(PointStore("/nowhere/store.sqlite"), UnreadableFile);
-  const auto file = scratch.path / "letter.txt";
+  const auto file = scratch.root() / "letter.txt";
   std::FILE* f = std::fopen(file.c_str(), "w");
   std::fputs("Dear reader, this is no database, and it is long enough to be looked at as one.", f);
   std::fclose(f);
@@ -100,7 +93,7 @@ TEST_CASE("a key knows the scene, its end, the way of stepping and the integrato
 }
 
 TEST_CASE("threads, one after the other, and from a store: the same points give the same bits") {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const Scene scene = scene_of(kScene, "s.toml");
   TradeQuestion question;
   question.integrators = {"symplectic-euler", "rk4", "implicit-midpoint"};
@@ -113,7 +106,7 @@ TEST_CASE("threads, one after the other, and from a store: the same points give 
     return outcomes;
   };
   const Trade in_turn = trade(scene, question);
-  PointStore store((scratch.path / "s.sqlite").string());
+  PointStore store(scratch.path("s.sqlite"));
   question.store = &store;
   const Trade kept = trade(scene, question);
   const std::int64_t points = store.size();

@@ -39,6 +39,12 @@ Machines::~Machines() {
   if (started_) MPI_Finalize();
 }
 
+std::optional<int> Machines::unready(bool this_one_is_ready) const {
+  int first = this_one_is_ready ? count_ : rank_;
+  if (started_) MPI_Allreduce(MPI_IN_PLACE, &first, 1, MPI_INT, MPI_MIN, MPI_COMM_WORLD);
+  return first < count_ ? std::optional(first) : std::nullopt;
+}
+
 std::vector<SceneOutcome> Machines::run_points(std::size_t count,
                                                const std::function<SceneOutcome(std::size_t)>& one,
                                                const Progress& progress) const {
@@ -82,6 +88,10 @@ std::vector<SceneOutcome> Machines::run_points(std::size_t count,
 
 Machines::Machines() = default;
 Machines::~Machines() = default;
+
+std::optional<int> Machines::unready(bool this_one_is_ready) const {
+  return this_one_is_ready ? std::nullopt : std::optional(0);
+}
 
 std::vector<SceneOutcome> Machines::run_points(std::size_t count,
                                                const std::function<SceneOutcome(std::size_t)>& one,

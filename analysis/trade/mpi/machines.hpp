@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "analysis/trade/trade.hpp"
 
 namespace shortfall {
@@ -14,10 +16,13 @@ class Machines {
   Machines(const Machines&) = delete;
   Machines& operator=(const Machines&) = delete;
 
-  int rank() const { return rank_; }
-  int count() const { return count_; }
   /// Whether this process speaks: the others only work.
   bool speaks() const { return rank_ == 0; }
+
+  /// Which process, the lowest of them, could not begin; none when all could. All processes ask together.
+  std::optional<int> unready(bool this_one_is_ready) const;
+  /// Whether that is this process.
+  bool is(int process) const { return process == rank_; }
 
   /// Point i is done by process i mod count(), by its threads; process 0 gets all of them, bit for bit, the
   /// others theirs.
