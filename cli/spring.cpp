@@ -84,8 +84,10 @@ void add_spring(CLI::App& app, int&) {
   auto o = std::make_shared<SpringOptions>();
   add_integrator(*command, *o);
   command->add_option("--frequency", o->frequency, "of the undamped spring: 2Hz")->type_name("F");
-  command->add_option("--damping-ratio", o->ratio, "with --frequency; 1 is critical, 0 the default")->type_name("Z");
-  command->add_option("--k", o->k, "instead of --frequency: stiffness for each unit of mass, 1/s^2")->type_name("K");
+  command->add_option("--damping-ratio", o->ratio, "with --frequency; 1 is critical, 0 the default")
+      ->type_name("Z");
+  command->add_option("--k", o->k, "instead of --frequency: stiffness for each unit of mass, 1/s^2")
+      ->type_name("K");
   command->add_option("--c", o->c, "with --k: damping for each unit of mass, 1/s")->type_name("C");
   command->add_flag("--held", o->held, "the force is computed once a frame and held over the substeps");
   add_parameters(*command, *o);

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <utility>
 
-#include "analysis/algebra/general_text.hpp"
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/general_text.hpp"
 
 namespace shortfall {
 

@@ -21,7 +21,7 @@ struct Force {
   std::optional<Rational> k;     ///< 1/s^2; a letter when not given
   std::optional<Rational> c;     ///< 1/s; a letter when not given
   std::map<int, Rational> push;  ///< f0 (= a), f1, ... as far as they are given as numbers
-  bool nothing = false;  ///< k and c were given as 0: a free body, whose f0 is 0
+  bool nothing = false;          ///< k and c were given as 0: a free body, whose f0 is 0
   std::string text = "constant";
   /// Of an integrator that has a spring or a damper itself, see own_equation.hpp: k and c in its letters.
   std::optional<Fraction> own_k;

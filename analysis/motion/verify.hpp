@@ -24,7 +24,7 @@ struct Verdict {
   std::optional<CounterExample> counter_example;  ///< the smallest n that refutes it
   std::optional<int> holds_from;                  ///< refuted, but proved for every n from this one on
   Expr found;                                     ///< the right formula
-  int found_from = 0;                             ///< the smallest n for which it is: before, the start is felt
+  int found_from = 0;  ///< the smallest n for which it is: before, the start is felt
 };
 
 /// Proves or refutes a formula in x0, v0, a (or f0..fD), h, t = n h, n, parameters.

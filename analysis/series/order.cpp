@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "analysis/algebra/general_text.hpp"
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/general_text.hpp"
 #include "analysis/program/suggest.hpp"
 #include "analysis/series/differential.hpp"
 #include "analysis/series/separable_order.hpp"

@@ -8,8 +8,8 @@
 #include <cstdlib>
 #include <sstream>
 
-#include "analysis/algebra/general_text.hpp"
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/general_text.hpp"
 
 namespace shortfall {
 

@@ -21,7 +21,8 @@ constexpr int kPatience = 120'000;  // milliseconds
 
 }  // namespace
 
-Peer::Peer(std::string name, std::vector<std::string> command, const std::string& greeting, std::string line_end)
+Peer::Peer(std::string name, std::vector<std::string> command, const std::string& greeting,
+           std::string line_end)
     : line_end_(std::move(line_end)), name_(std::move(name)) {
   signal(SIGPIPE, SIG_IGN);
   std::array<int, 2> in{}, out{};
