@@ -204,5 +204,13 @@ TEST_CASE("trade on 1, 2 and 4 processes of MPI: the same points give the same b
       "trade missing.toml", std::string("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 '") +
                                 SHORTFALL_MPIRUN + "' --oversubscribe -n 2");
   CHECK(wrong.code != 0);
+  // One process finds no scene where it is: the others do not wait for it.
+  const CommandRun apart = folder.run(
+      asked, std::string("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 timeout 60 '") +
+                 SHORTFALL_MPIRUN +
+                 "' --oversubscribe -n 2 sh -c 'test \"$OMPI_COMM_WORLD_RANK\" = 0 || cd /; exec \"$@\"' sh");
+  CHECK(apart.code != 0);
+  CHECK(apart.code != 124);  // timeout's
+  CHECK(contains(apart.error, "process 1 of mpirun"));
 }
 #endif
