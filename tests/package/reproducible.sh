@@ -1,38 +1,34 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
-# reproducible.sh: compiles the last commit twice, in folders of other names, for users with other habits (time zone,
-# language, umask, number of compilers), without a compiler's cache, and compares the Debian packages byte by byte. It
-# is called by `./dev reproducible`, not by ctest: it takes as long as two builds.
+# reproducible.sh: the Debian packages of this tree, as it was built, and of a fresh copy of the last commit, compiled
+# without a compiler's cache in a folder of another name for a user with other habits (time zone, home, umask, one
+# compiler more or less), byte by byte. It is called by `./dev reproducible`, not by ctest: it takes as long as a build.
 set -eu
 top=$(cd "$(dirname "$0")/../.." && pwd)
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
 fail() { echo "reproducible: $*" >&2; exit 1; }
-[ -z "$(git -C "$top" status --porcelain)" ] || echo "reproducible: what is not committed is not compared" >&2
+[ -z "$(git -C "$top" status --porcelain)" ] || fail "what is not committed would differ: commit it first"
+SOURCE_DATE_EPOCH=$(git -C "$top" log -1 --format=%ct)
+export SOURCE_DATE_EPOCH
 
-# packages FOLDER UMASK ASSIGNMENT...: the packages of the last commit, built there.
-packages() {
-  folder=$1 mask=$2
-  shift 2
-  mkdir -p "$folder"
-  git -C "$top" archive HEAD | tar -xf - -C "$folder"
-  (umask "$mask" && cd "$folder" &&
-    env CCACHE_DISABLE=1 "SOURCE_DATE_EPOCH=$(git -C "$top" log -1 --format=%ct)" "$@" ./dev package) ||
-    fail "no packages were built in $folder"
-}
-packages "$work/a" 022 TZ=UTC LC_ALL=C
-packages "$work/another/folder with a longer name" 077 TZ=Asia/Tokyo LC_ALL=C.UTF-8 HOME=/nonexistent SHORTFALL_JOBS=1
+rm -rf "$top/build/package"
+(cd "$top" && ./dev package) || fail "no packages were built here"
+copy="$work/a folder with a longer name/shortfall"
+mkdir -p "$copy"
+git -C "$top" archive HEAD | tar -xf - -C "$copy"
+(umask 077 && cd "$copy" && env CCACHE_DISABLE=1 TZ=Asia/Tokyo LC_ALL=C.UTF-8 HOME=/nonexistent ./dev package) ||
+  fail "no packages were built in $copy"
 
-for deb in "$work"/a/build/package/*.deb; do
-  other="$work/another/folder with a longer name/build/package/$(basename "$deb")"
+for deb in "$top"/build/package/*.deb; do
+  other="$copy/build/package/$(basename "$deb")"
   if ! cmp "$deb" "$other"; then
-    for side in a b; do mkdir "$work/$side.root"; done
-    dpkg-deb -R "$deb" "$work/a.root"
-    dpkg-deb -R "$other" "$work/b.root"
-    diff -rq "$work/a.root" "$work/b.root" >&2 || true
+    dpkg-deb -R "$deb" "$work/here"
+    dpkg-deb -R "$other" "$work/there"
+    diff -rq "$work/here" "$work/there" >&2 || true
     fail "$(basename "$deb") differs"
   fi
-  sha256sum "$deb" | sed "s|$work/a/build/package/||"
+  sha256sum "$deb" | sed "s|$top/build/package/||"
 done
 echo "two builds, the same bytes"
