@@ -65,6 +65,11 @@ void read_word(std::string_view text, std::string_view word, Force& force) {
   const std::size_t colon = word.find(':');
   const std::string name(word.substr(0, colon));
   const std::string_view rest = colon == std::string_view::npos ? "" : word.substr(colon + 1);
+  // One part brings one k: of two, which one would a number be for?
+  if (name != "drag" && name.ends_with("spring") && force.spring)
+    complain(text, "two parts of it are springs; give one, with k for both");
+  if ((name == "drag" || name == "damped-spring") && force.damper)
+    complain(text, "two parts of it damp; give one, with c for both");
   if (name == "constant") {
     force.degree = std::max(force.degree, 0);
     read_letters(text, rest, false, false, 0, force);

@@ -18,6 +18,7 @@ constexpr int kHighestDimension = 20;
 /// A sign after an operator is printed in a parenthesis, and counts like that: what is read can be read again
 /// when it was printed.
 constexpr int kSignInside = 3;
+constexpr int kFractionInside = 2;  // 0.5^2 may be printed as (1/2)^2
 
 struct Deeper {
   int& depth;
@@ -75,10 +76,15 @@ void TokenReader::expect_end(std::string_view after) {
   throw error("nothing may follow " + std::string(after) + ", found " + found());
 }
 
+void TokenReader::check_depth(std::string_view what) const {
+  if (depth_ > kDeepestExpression)
+    throw error(std::string(what) + " are nested deeper than " + std::to_string(kDeepestExpression) +
+                " levels");
+}
+
 Expr TokenReader::expression() {
   const Deeper deeper(depth_);
-  if (depth_ > kDeepestExpression)
-    throw error("parentheses are nested deeper than " + std::to_string(kDeepestExpression) + " levels");
+  check_depth("parentheses");
   Expr left = product();
   while (at("+") || at("-")) {
     const Token sign = take();
@@ -102,8 +108,7 @@ Expr TokenReader::signed_factor() {
   const bool inside = at("-") && next_ > 0 && tokens_[next_ - 1].kind == Token::Kind::sign &&
                       std::string_view("+-*/").find(tokens_[next_ - 1].text) != std::string_view::npos;
   const Deeper deeper(depth_, inside ? kSignInside : 1);
-  if (depth_ > kDeepestExpression)
-    throw error("signs are nested deeper than " + std::to_string(kDeepestExpression) + " levels");
+  check_depth("signs");
   if (at("-")) {
     const Token sign = take();
     return negate(signed_factor(), sign.place);
@@ -141,7 +146,10 @@ Expr TokenReader::primary() {
     case Token::Kind::number: {
       take();
       try {
-        return number(Rational::parse(token.text), token.place);
+        Rational value = Rational::parse(token.text);
+        const Deeper deeper(depth_, value.is_integer() ? 0 : kFractionInside);
+        check_depth("fractions");
+        return number(std::move(value), token.place);
       } catch (const BadInput& e) {
         throw source_.error(token.place, e.what());
       }

@@ -49,6 +49,8 @@ class TokenReader {
   Expr call(const Token& function);
   int whole_number(std::string_view what);
   bool after_value() const;
+  /// throws  SyntaxError  "WHAT are nested deeper than ..." where they are
+  void check_depth(std::string_view what) const;
   void refuse_missing_operator() const;
   [[noreturn]] void refuse_unclosed(const Token& open) const;
   [[noreturn]] void refuse_call(const Token& function, const Token& open, std::size_t values) const;

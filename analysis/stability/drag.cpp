@@ -7,7 +7,7 @@ namespace shortfall {
 
 namespace {
 
-/// Where a rational function, positive for small values of its letter, is negative.
+/// Where a rational function is negative for positive values of its letter.
 std::vector<Drag::Reversal> reversals_of(const Fraction& f, Letter letter,
                                          const std::vector<AlgebraicLetter>& algebraic) {
   const CommonField field = common_field(algebraic);
@@ -18,9 +18,9 @@ std::vector<Drag::Reversal> reversals_of(const Fraction& f, Letter letter,
   const std::vector<Rational> samples = samples_between(points);
   std::vector<Drag::Reversal> result;
   bool negative = false;
-  for (std::size_t i = 1; i < samples.size(); ++i) {
+  for (std::size_t i = 0; i < samples.size(); ++i) {
     const bool now = above.at(samples[i]).sign() * below.at(samples[i]).sign() < 0;
-    if (now && !negative) result.push_back({points[i - 1], {}});
+    if (now && !negative) result.push_back({i == 0 ? RealRoot(Rational(0)) : points[i - 1], {}});
     if (!now && negative) result.back().to = points[i - 1];
     negative = now;
   }

@@ -83,12 +83,16 @@ void SceneObserver<T>::frame(const T& t, const std::vector<T>& x, const std::vec
     // rounding.
     const std::size_t known = apexes_[i].passings.size();
     look(apexes_[i], first);
-    if (apexes_[i].passings.size() > known) {
+    if (apexes_[i].passings.size() > known &&
+        !(rough(apexes_[i].passings.back().time) > rough(end_) * (1 + 1e-13))) {
       const Passing& p = apexes_[i].passings.back();
       top(i, p.place[static_cast<std::size_t>(o.axis)], p.time);
     }
     if (first) top(i, x_[static_cast<std::size_t>(c)], t_);
-    if (within) last_[i] = {true, x_[static_cast<std::size_t>(c)], t_};
+    if (within)
+      last_[i] = {true, x_[static_cast<std::size_t>(c)], t_};
+    else if (rough(before_) < rough(end_))  // the end lies between two frames
+      last_[i] = {true, follow_to(end_)[static_cast<std::size_t>(c)], end_};
   }
   if (!first) at_times();
   if (energy_ && !(rough(t_) > rough(end_) * (1 + 1e-12))) {
@@ -215,7 +219,8 @@ void SceneObserver<T>::at_times() {
         state = follow_to(wanted);
       }
       if (o.kind == Kind::path) {
-        values_[i].insert(values_[i].end(), state.begin(), state.begin() + m_);
+        const auto from = state.begin() + (o.of_body ? o.body * scene_.dimension : 0);
+        values_[i].insert(values_[i].end(), from, from + (o.of_body ? scene_.dimension : m_));
       } else {
         const auto place = state.begin() + (o.kind == Kind::velocity ? m_ : 0) + o.body * scene_.dimension;
         values_[i].assign(place, place + scene_.dimension);

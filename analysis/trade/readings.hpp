@@ -80,7 +80,7 @@ class SceneObserver {
     bool any = false;
     T height, time;
   };
-  std::vector<Top> tops_, last_;       ///< the highest so far, and the last frame before the end
+  std::vector<Top> tops_, last_;       ///< the highest so far, and the end, or the last frame before it
   std::vector<std::vector<T>> times_;  ///< at which each observable is read
   std::vector<std::size_t> next_time_;
   std::vector<std::vector<T>> values_;

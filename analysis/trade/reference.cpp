@@ -30,6 +30,8 @@ class Computation {
   Computation(const Scene& scene, const ForceChoice& chosen, int order, double tolerance,
               std::function<T(const Rational&)> number)
       : scene_(scene), number_(std::move(number)) {
+    // The truth has no frames: its top is where it turns.
+    for (SceneObservable& o : scene_.observables) o.at_frames = false;
     settings_.order = order;
     settings_.tolerance = tolerance;
     settings_.longest = (scene.until / Rational(2)).to_double();
@@ -83,7 +85,7 @@ class Computation {
   int steps = 0;
 
  private:
-  const Scene& scene_;
+  Scene scene_;
   std::function<T(const Rational&)> number_;
   typename TaylorFlow<T>::Settings settings_;
   SmoothTape tape_;

@@ -75,6 +75,7 @@ struct SceneObservable {
   Kind kind = Kind::position;
   std::string name;
   int body = 0;
+  bool of_body = false;      ///< a body was named; a path is otherwise that of the farthest one
   int axis = -1;             ///< -1: the last one
   std::optional<int> event;  ///< index
   int count = 1;

@@ -227,12 +227,14 @@ class SceneReader {
       throw text_.error(kind_node, "unknown observable '" + kind + "'" + did_you_mean(kind, names) +
                                        " (there are " + known + ")");
     }
-    std::vector<std::string> keys{"kind", "name", "body", "tolerance"};
+    std::vector<std::string> keys{"kind", "name", "tolerance"};
+    if (entry->kind != ObservableKind::energy_drift) keys.emplace_back("body");  // it is that of all together
     keys.insert(keys.end(), entry->keys.begin(), entry->keys.end());
     text_.check_keys(table, "an observable of kind " + kind, keys);
     SceneObservable o;
     o.kind = entry->kind;
     o.body = body(table);
+    o.of_body = text_.find(table, "body") != nullptr;
     o.axis = axis(table, scene_.dimension - 1);
     o.dimension = {context_.angles ? 0 : entry->length, entry->time, 0};
     o.unit = scene_.units.unit(o.dimension);
@@ -275,7 +277,11 @@ class SceneReader {
         if (names.back() == word) o.event = static_cast<int>(i);
       }
       if (!o.event) throw text_.error(node, "there is no event '" + word + "'" + did_you_mean(word, names));
-      o.body = scene_.events[static_cast<std::size_t>(*o.event)].body;
+      const int own = scene_.events[static_cast<std::size_t>(*o.event)].body;
+      if (o.of_body && o.body != own)
+        throw text_.error(node, "the event '" + word + "' is of the body '" +
+                                    scene_.bodies[static_cast<std::size_t>(own)].name + "'");
+      o.body = own;
     }
     const bool counts_periods = o.kind == ObservableKind::period || o.kind == ObservableKind::phase;
     o.count = counts_periods ? 2 : o.kind == ObservableKind::path ? 64 : 1;
@@ -292,7 +298,8 @@ class SceneReader {
       name += " at " + o.at.significant(6);
       if (!scene_.units.time.empty()) name += " " + scene_.units.time;
     }
-    if (scene_.bodies.size() > 1 && o.kind != ObservableKind::energy_drift && o.kind != ObservableKind::path)
+    if (scene_.bodies.size() > 1 && o.kind != ObservableKind::energy_drift &&
+        (o.kind != ObservableKind::path || o.of_body))
       name = scene_.bodies[static_cast<std::size_t>(o.body)].name + " " + name;
     return name;
   }

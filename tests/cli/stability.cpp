@@ -140,6 +140,13 @@ TEST_CASE("bad input: one sentence each, and the exit code") {
   CHECK(f.code == 0);
 }
 
+TEST_CASE("drag alone: a step that turns the velocity round from the beginning is said to") {
+  CHECK(contains(run("stability ode --param c=3/2").text(), "reverses the velocity for 0 < d < 1"));
+  CHECK(
+      contains(run("stability matter-js --param c=1 --dt 1/50").text(), "reverses the velocity for 0 < d\n"));
+  CHECK(contains(run("stability ode --param c=1/2").text(), "turns round"));
+}
+
 TEST_CASE("pictures by the ending of their name; without gnuplot a clear sentence") {
   Asked f("stability");
   f.run("rk4 --plot rk4.svg", "PATH=/nowhere");

@@ -213,4 +213,7 @@ TEST_CASE("questions without an answer are refused with a sentence") {
   CHECK_THROWS_AS(force_named("poly:1:f2=1"), BadInput);
   CHECK_THROWS_AS(force_named("constant:a=1,a=2"), BadInput);
   CHECK_THROWS_AS(force_named("spring:a=1"), BadInput);
+  for (const char* twice : {"spring+spring", "spring:k=1+damped-spring", "drag+damped-spring", "drag+drag"})
+    CHECK_THROWS_WITH_AS(force_named(twice), doctest::Contains("two parts of it"), BadInput);
+  CHECK(force_named("constant+drag+spring").linear());
 }

@@ -47,25 +47,26 @@ TEST_CASE("an expression may have a thousand values, and two hundred levels") {
 }
 
 TEST_CASE("what is nested as deeply as may be is printed to a text that can be read again") {
-  for (const std::string level : {"-", "k - -(", "k*-(", "k/-(k - ", "-(", "max(k, -"}) {
-    const int closed = level.find('(') != std::string::npos ? 1 : 0;
-    int most = 0;
-    for (int levels = 1; levels < 250; ++levels) {
-      std::string printed;
-      try {
-        printed = print(parse("integrator nested\nparam k = 1\nstep\n  c = " + repeated(level, levels) + "k" +
-                                  repeated(")", closed * levels) + "\n  x = x + c*h*v\n",
-                              "test"));
-      } catch (const SyntaxError& e) {
-        CHECK(std::string(e.what()).ends_with("nested deeper than 200 levels"));
-        break;
+  for (const std::string level : {"-", "k - -(", "k*-(", "k/-(k - ", "-(", "max(k, -", "0.5*-("})
+    for (const std::string leaf : {"k", "0.5^2"}) {
+      const int closed = level.find('(') != std::string::npos ? 1 : 0;
+      int most = 0;
+      for (int levels = 1; levels < 250; ++levels) {
+        std::string printed;
+        try {
+          printed = print(parse("integrator nested\nparam k = 1\nstep\n  c = " + repeated(level, levels) +
+                                    leaf + repeated(")", closed * levels) + "\n  x = x + c*h*v\n",
+                                "test"));
+        } catch (const SyntaxError& e) {
+          CHECK(std::string(e.what()).ends_with("nested deeper than 200 levels"));
+          break;
+        }
+        most = levels;
+        CHECK(print(parse(printed, "printed")) == printed);
       }
-      most = levels;
-      CHECK(print(parse(printed, "printed")) == printed);
+      CHECK(most >= 30);
+      CHECK(most < 200);
     }
-    CHECK(most >= 30);
-    CHECK(most < 200);
-  }
 }
 
 TEST_CASE("long files are read as quickly as they are long") {
