@@ -74,15 +74,15 @@ std::string as_text(const Processing& p, const std::vector<std::string>& twins, 
       if (!(size == Fraction(1))) combination += print(source.formula(size), style) + " ";
       combination += "b(" + t.tree + ")";
     }
-    text +=
-        "      b being the coefficients of the modified equation, " + combination + " = " +
-        (source.digits() > 0 || !p.residual_value.is_constant()
-             ? (p.residual_value.is_constant() ? std::string()
-                                               : print(source.formula(p.residual_value), style) + " = ") +
-                   source.decimal(p.residual_value, 10) + " (rounded)"
-             : print(source.formula(p.residual_value), style)) +
-        (p.force.empty() ? " whatever the launch" : " whatever the launch and the force of the position") +
-        "; it would have to be 0\n";
+    text += "      b being the coefficients of the modified equation, " + combination + " = " +
+            (source.digits() > 0 || !p.residual_value.is_constant()
+                 ? (p.residual_value.is_constant() ? std::string()
+                                                   : print(source.formula(p.residual_value), style) + " = ") +
+                       source.decimal(p.residual_value, 10) + " (rounded)"
+                 : print(source.formula(p.residual_value), style)) +
+            " with every launch" +
+            (p.force.empty() ? " that makes" : " and force of the position that make") + " it of order " +
+            std::to_string(p.obstructed_at - 1) + "; it would have to be 0\n";
   }
   for (const std::string& note : p.notes) text += "    " + note + "\n";
   return text;
