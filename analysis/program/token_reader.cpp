@@ -82,6 +82,11 @@ void TokenReader::check_depth(std::string_view what) const {
                 " levels");
 }
 
+void TokenReader::count_value() {
+  if (++nodes_ > kMostNodes)
+    throw error("the expression has more than " + std::to_string(kMostNodes) + " values");
+}
+
 Expr TokenReader::expression() {
   const Deeper deeper(depth_);
   check_depth("parentheses");
@@ -139,14 +144,14 @@ Expr TokenReader::power_of() {
 }
 
 Expr TokenReader::primary() {
-  if (++nodes_ > kMostNodes)
-    throw error("the expression has more than " + std::to_string(kMostNodes) + " values");
   const Token token = peek();
+  if (token.kind == Token::Kind::number || token.kind == Token::Kind::name) count_value();
   switch (token.kind) {
     case Token::Kind::number: {
       take();
       try {
         Rational value = Rational::parse(token.text);
+        if (!value.is_integer()) count_value();  // printed as a quotient it is two
         const Deeper deeper(depth_, value.is_integer() ? 0 : kFractionInside);
         check_depth("fractions");
         return number(std::move(value), token.place);

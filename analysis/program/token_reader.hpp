@@ -49,6 +49,7 @@ class TokenReader {
   Expr call(const Token& function);
   int whole_number(std::string_view what);
   bool after_value() const;
+  void count_value();  ///< throws  SyntaxError  when there are too many
   /// throws  SyntaxError  "WHAT are nested deeper than ..." where they are
   void check_depth(std::string_view what) const;
   void refuse_missing_operator() const;

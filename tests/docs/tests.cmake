@@ -18,4 +18,6 @@ if(SHORTFALL_PYTHON3 AND TARGET shortfall)
     COMMAND "${SHORTFALL_PYTHON3}" -B "${CMAKE_CURRENT_LIST_DIR}/make_architecture.py" --check "${PROJECT_SOURCE_DIR}"
       "${PROJECT_SOURCE_DIR}/docs/images/architecture.svg")
   set_tests_properties(docs_commands docs_cpp docs_reference docs_architecture PROPERTIES LABELS docs)
+  # Hundreds of commands: not under the sanitizers, whose other tests run the same code.
+  set_tests_properties(docs_commands PROPERTIES LABELS "docs;slow")
 endif()
