@@ -4,7 +4,7 @@ include(CMakePackageConfigHelpers)
 
 set(package "${CMAKE_INSTALL_LIBDIR}/cmake/shortfall")
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/analysis" "${PROJECT_SOURCE_DIR}/notebooks-export"
-        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/shortfall" COMPONENT development
+        DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}/shortfall" ${shortfall_readable} COMPONENT development
         FILES_MATCHING PATTERN "*.hpp"
         PATTERN "analysis/shortfall.hpp" EXCLUDE)
 install(FILES "${PROJECT_SOURCE_DIR}/analysis/shortfall.hpp"
@@ -13,8 +13,8 @@ file(GLOB schemas CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/share/*.schema.json")
 install(FILES ${schemas} DESTINATION "${CMAKE_INSTALL_DATADIR}/shortfall" COMPONENT runtime)
 file(GLOB schemas CONFIGURE_DEPENDS "${PROJECT_SOURCE_DIR}/share/output/*.schema.json")
 install(FILES ${schemas} DESTINATION "${CMAKE_INSTALL_DATADIR}/shortfall/output" COMPONENT runtime)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/scenes" DESTINATION "${CMAKE_INSTALL_DATADIR}/shortfall" COMPONENT runtime)
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/shortfall" COMPONENT runtime)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/scenes" DESTINATION "${CMAKE_INSTALL_DATADIR}/shortfall" ${shortfall_readable} COMPONENT runtime)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/docs" DESTINATION "${CMAKE_INSTALL_DATADIR}/doc/shortfall" ${shortfall_readable} COMPONENT runtime)
 install(EXPORT shortfallTargets NAMESPACE shortfall:: DESTINATION "${package}" COMPONENT development)
 configure_package_config_file("${PROJECT_SOURCE_DIR}/cmake/shortfallConfig.cmake.in"
                               "${PROJECT_BINARY_DIR}/shortfallConfig.cmake" INSTALL_DESTINATION "${package}")

@@ -16,7 +16,7 @@ add_custom_command(
   DEPENDS shortfall WORKING_DIRECTORY "${folder}/.." COMMENT "Writing manual pages and completion files" VERBATIM)
 add_custom_target(manuals ALL DEPENDS "${folder}/made")
 
-install(DIRECTORY "${folder}/man1" DESTINATION "${CMAKE_INSTALL_MANDIR}" COMPONENT runtime)
+install(DIRECTORY "${folder}/man1" DESTINATION "${CMAKE_INSTALL_MANDIR}" ${shortfall_readable} COMPONENT runtime)
 install(FILES "${folder}/shortfall" DESTINATION "${CMAKE_INSTALL_DATADIR}/bash-completion/completions" COMPONENT runtime)
 install(FILES "${folder}/_shortfall" DESTINATION "${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions" COMPONENT runtime)
 install(FILES "${folder}/shortfall.fish" DESTINATION "${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d" COMPONENT runtime)

@@ -27,6 +27,9 @@ for deb in "$top"/build/package/*.deb; do
     dpkg-deb -R "$deb" "$work/here"
     dpkg-deb -R "$other" "$work/there"
     diff -rq "$work/here" "$work/there" >&2 || true
+    dpkg-deb -c "$deb" >"$work/here.list"
+    dpkg-deb -c "$other" >"$work/there.list"
+    diff "$work/here.list" "$work/there.list" | head -n 20 >&2 || true
     fail "$(basename "$deb") differs"
   fi
   sha256sum "$deb" | sed "s|$top/build/package/||"

@@ -15,6 +15,10 @@ for deb in "$work"/1/*.deb; do
   cmp "$deb" "$work/2/$(basename "$deb")" || fail "$(basename "$deb"): two runs differ"
   dpkg-deb -x "$deb" "$work/root"
 done
+for deb in "$work"/1/*.deb; do
+  dpkg-deb -c "$deb" | awk '$1 !~ /^(drwxr-xr-x|-rw[-x]r-[-x]r-[-x])$/ { print; found = 1 } END { exit found }' ||
+    fail "$(basename "$deb"): not for everybody to read"
+done
 [ "$(ls "$work"/1/*.deb | wc -l)" -eq 2 ] || fail "there are to be two packages"
 if command -v lintian >/dev/null 2>&1; then
   root=
