@@ -38,6 +38,9 @@ constexpr std::size_t kFinalists = 8;
 /// An evaluation of one way of stepping costs at most so many of another: what needs more evaluations than
 /// that has no chance to be the cheapest.
 constexpr double kHopeless = 6;
+/// Times of one machine in one minute: nearer than this they are the same, and the evaluations decide. So the
+/// same question gets the same answer.
+constexpr double kSameTime = 1.25;
 
 class Adviser {
  public:
@@ -59,6 +62,11 @@ class Adviser {
     std::erase_if(good, [&](const SceneOutcome& o) { return !is_fast_enough(o); });
     std::ranges::stable_sort(
         good, [](const SceneOutcome& a, const SceneOutcome& b) { return a.nanoseconds < b.nanoseconds; });
+    const auto slower = std::ranges::find_if(
+        good, [&](const SceneOutcome& o) { return o.nanoseconds > kSameTime * good.front().nanoseconds; });
+    std::stable_sort(good.begin(), slower, [](const SceneOutcome& a, const SceneOutcome& b) {
+      return a.evaluations < b.evaluations;
+    });
     advice_.considered = good;
     if (!good.empty()) advice_.best = good.front();
   }

@@ -42,7 +42,9 @@ TEST_CASE("advice is good enough by an independent run, and no dearer than the n
     }
     for (const SceneOutcome& o : advice.considered) {
       CHECK(o.meets(scene, 0.5));
-      CHECK(o.nanoseconds >= advice.best->nanoseconds);
+      // Nothing was measured to be faster, or by less than times differ between two runs.
+      CHECK(1.25 * o.nanoseconds >= advice.best->nanoseconds);
+      if (o.nanoseconds < advice.best->nanoseconds) CHECK(o.evaluations >= advice.best->evaluations);
     }
     // The parts of an error that is one number add up to it.
     for (std::size_t i = 0; i < advice.errors.size(); ++i) {
