@@ -48,7 +48,8 @@ using Round = std::function<T(const Rational&)>;
 template <class T>
 std::vector<std::pair<std::string, std::function<T(const T&, const T&, const T&)>>> forces(
     const Round<T>& round, Draw& draw) {
-  const T a = round(draw(-10, 10)), k = round(draw(1, 9)), c = round(draw(0, 1)), one = round(1);
+  T a = round(draw(-10, 10));
+  const T k = round(draw(1, 9)), c = round(draw(0, 1)), one = round(1);
   return {{"constant", [=](const T&, const T&, const T&) { return a; }},
           {"spring", [=](const T& x, const T&, const T&) { return -(k * x); }},
           {"drag", [=](const T&, const T& v, const T&) { return a - c * v; }},

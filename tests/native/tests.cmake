@@ -1,8 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-target_link_libraries(test_native PRIVATE shortfall::native quadmath MPFR::MPFR GMP::GMP Boost::headers)
+foreach(program test_native test_native_slow)
+  if(TARGET ${program})
+    target_link_libraries(${program} PRIVATE shortfall::native quadmath MPFR::MPFR GMP::GMP Boost::headers)
+  endif()
+endforeach()
 # The whole catalogue in eight number types; what is compared is bits, not speed.
-set_source_files_properties(native/small_formats.cpp native/wide_formats.cpp PROPERTIES COMPILE_OPTIONS "-O1")
-set_source_files_properties(native/small_formats.cpp native/wide_formats.cpp native/hardware_formats.cpp
+set_source_files_properties(native/small_formats_slow.cpp native/wide_formats_slow.cpp native/hardware_formats_slow.cpp
                             PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)  # long enough by themselves
 get_target_property(native_definitions shortfall_native COMPILE_DEFINITIONS)
 if("SHORTFALL_AVX2" IN_LIST native_definitions)
