@@ -112,7 +112,7 @@ Rational trajectory(int steps_a_second, bool every_frame) {
 std::vector<double> table(const std::string& title, const std::vector<Contender>& contenders, int rounds,
                           double least) {
   std::printf("\n%s\n", title.c_str());
-  const std::vector<double> times = bench::least_times(contenders, rounds, least);
+  std::vector<double> times = bench::least_times(contenders, rounds, least);
   for (std::size_t i = 0; i < contenders.size(); ++i)
     std::printf("  %-66s %9s   %9.3f\n", contenders[i].name.c_str(), time_text(times[i]).c_str(),
                 times[i] / times[0]);

@@ -36,7 +36,7 @@ std::string log_text(const char* engine, double damping) {
 /// One log against every map that is known: less than 2 s.
 void one_log(benchmark::State& state) {
   const std::string text = log_text(state.range(0) == 0 ? "physx" : "rapier", state.range(0) == 0 ? 0 : 0.5);
-  for (auto _ : state) benchmark::DoNotOptimize(identify(parse_log(text, "log")));
+  for ([[maybe_unused]] auto _ : state) benchmark::DoNotOptimize(identify(parse_log(text, "log")));
   state.SetLabel(state.range(0) == 0 ? "undamped" : "damped");
 }
 

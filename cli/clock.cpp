@@ -27,7 +27,7 @@ Rational additions(const ClockOptions& o, const Rational& dt) {
   if (o.steps.empty() == o.until.empty())
     throw BadInput("a clock needs --steps N or --until TIME, one of them");
   if (!o.steps.empty()) {
-    const Rational n = quantity(o.steps, Unit::none, "--steps");
+    Rational n = quantity(o.steps, Unit::none, "--steps");
     if (!n.is_integer() || n.sign() < 0)
       throw BadInput("--steps " + o.steps.substr(0, 40) + ": a number of steps is a whole number, 0 or more");
     return n;

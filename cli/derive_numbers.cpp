@@ -16,12 +16,12 @@ Rational step_count(const NumbersOptions& o, const Rational& h) {
   if (!o.steps.empty() && !o.until.empty())
     throw BadInput("--steps and --until say the same thing; give one of them");
   if (!o.steps.empty()) {
-    const Rational n = quantity(o.steps, Unit::none, "--steps");
+    Rational n = quantity(o.steps, Unit::none, "--steps");
     if (!n.is_integer() || n.sign() < 0)
       throw BadInput("--steps " + o.steps.substr(0, 40) + ": a number of steps is a whole number, 0 or more");
     return n;
   }
-  const Rational n = quantity(o.until, Unit::time, "--until") / h;
+  Rational n = quantity(o.until, Unit::time, "--until") / h;
   if (n.sign() < 0) throw BadInput("--until: the time is 0 or more");
   if (!n.is_integer())
     throw BadInput("--until " + o.until.substr(0, 40) + " lies between two frames; the one before is at " +

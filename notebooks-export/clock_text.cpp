@@ -223,7 +223,8 @@ std::string Text::speed() const {
 
 /// "2^21 = 2097152 s".
 std::string Text::equal_to_power(const Rational& value) const {
-  const std::string power = power_of_two_text(value), digits = with_unit(value);
+  const std::string power = power_of_two_text(value);
+  std::string digits = with_unit(value);
   if (power.empty()) return digits;
   return power + (digits.starts_with("≈") ? " " : " = ") + digits;
 }

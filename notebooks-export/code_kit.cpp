@@ -131,8 +131,8 @@ std::string kit_code(const CorrectionKit& kit, const Derivation& d, Language lan
                                ? " Here v is the corrected velocity."
                                : "")};
     collect_names(c.add, function.arguments);
-    std::ranges::stable_partition(function.arguments,
-                                  [](const std::string& name) { return name != "h" && name != "t"; });
+    std::stable_partition(function.arguments.begin(), function.arguments.end(),
+                          [](const std::string& name) { return name != "h" && name != "t"; });
     function.value = c.add;
     text += (text.empty() ? "" : "\n") + code(function, language);
     functions.push_back(std::move(function));

@@ -22,7 +22,7 @@ std::string short_number(double value) { return general_text(value, 4); }
 
 /// "2 √2 = 2.828", "2.507", "2".
 std::string value_text(const RealRoot& r) {
-  const std::string decimal = short_number(r.to_double());
+  std::string decimal = short_number(r.to_double());
   const auto formula = radical_formula(r);
   if (!formula) return decimal;
   const std::string exact = print(*formula, Style::unicode);

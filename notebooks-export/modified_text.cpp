@@ -9,9 +9,8 @@ namespace shortfall {
 
 namespace {
 
-std::string derivative_of(const std::string& component, Style style, bool modified) {
-  if (style == Style::latex) return (modified ? "\\dot{" : "\\dot{") + component + "}";
-  return component + "'";
+std::string derivative_of(const std::string& component, Style style) {
+  return style == Style::latex ? "\\dot{" + component + "}" : component + "'";
 }
 
 /// x' = v + ..., for each component.
@@ -32,10 +31,10 @@ std::string equations(const ModifiedEquation& m, const SeriesSource& source, Sty
     const std::string rest = sum.str("       ");
     const std::string highest = "\n       + O(" + print(power(name("h"), m.order), style) + ")";
     if (style == Style::latex)
-      text += derivative_of(component, style, true) + " = " + first + sum.str() + " + O(" +
+      text += derivative_of(component, style) + " = " + first + sum.str() + " + O(" +
               print(power(name("h"), m.order), style) + ")\n";
     else
-      text += "  " + derivative_of(component, style, true) + " = " + first + rest + highest + "\n";
+      text += "  " + derivative_of(component, style) + " = " + first + rest + highest + "\n";
   }
   return text;
 }

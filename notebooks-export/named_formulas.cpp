@@ -179,7 +179,7 @@ Expr NamedFormulas::shortened(const Expr& e) {
   }
   if (e->operands.empty()) return e;
   if (is_plain(e, true) && columns(shortfall::print(e)) > kLongestPiece)
-    if (const Expr sum = gathered(e)) return sum;
+    if (Expr sum = gathered(e)) return sum;
   auto copy = std::make_shared<Expression>(*e);
   for (Expr& operand : copy->operands) operand = shortened(operand);
   if (copy->operands == e->operands) return e;

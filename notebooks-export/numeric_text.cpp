@@ -15,7 +15,7 @@ using Json = nlohmann::ordered_json;
 constexpr std::size_t kShortFraction = 60;  // digits of a fraction that is still read
 
 std::string whole(const Rational& n) {
-  const std::string text = n.str();
+  std::string text = n.str();
   // 10^18 is read more easily than nineteen digits.
   const std::size_t last = text.find_last_not_of('0');
   if (text.size() > 7 && last == 0) return text.substr(0, 1) + "e" + std::to_string(text.size() - 1);

@@ -20,7 +20,7 @@ Word Word::of(std::string_view letters) {
   return word;
 }
 
-int Word::length() const { return std::bit_width(code) - 1; }
+int Word::length() const { return static_cast<int>(std::bit_width(code)) - 1; }
 
 int Word::count_b() const { return std::popcount(code) - 1; }
 

@@ -135,7 +135,8 @@ Polynomial& Polynomial::operator*=(const Rational& factor) {
   if (factor.is_zero()) {
     terms_.clear();
   } else if (!factor.is_one()) {
-    const Rational kept = factor;  // it may be one of our own coefficients
+    // A copy: it may be one of our own coefficients.
+    const Rational kept = factor;  // NOLINT(performance-unnecessary-copy-initialization)
     for (Term& term : terms_) term.coefficient *= kept;
   }
   return *this;

@@ -49,7 +49,7 @@ std::optional<Packing> packing(const Polynomial& a, const Polynomial& b) {
   for (Letter letter = kLetters - 1; letter >= 0; --letter) {
     const int most = a.degree(letter) + b.degree(letter);
     if (most == 0) continue;
-    const int bits = std::bit_width(static_cast<unsigned>(most));
+    const auto bits = static_cast<int>(std::bit_width(static_cast<unsigned>(most)));
     if (used + bits > 64) return std::nullopt;
     const auto i = static_cast<std::size_t>(result.count++);
     result.letters[i] = letter;
@@ -57,7 +57,8 @@ std::optional<Packing> packing(const Polynomial& a, const Polynomial& b) {
     result.masks[i] = (std::uint64_t{1} << bits) - 1;
     used += bits;
   }
-  const int bits = std::bit_width(static_cast<unsigned>(a.total_degree() + b.total_degree()));
+  const auto bits =
+      static_cast<int>(std::bit_width(static_cast<unsigned>(a.total_degree() + b.total_degree())));
   if (used + bits > 64) return std::nullopt;
   result.degree_shift = used;
   return result;
@@ -88,7 +89,7 @@ std::optional<OverOne<std::int64_t>> short_form(const Polynomial& p, int& bits) 
     all |= magnitude(above);
     result.numerators.push_back(above);
   }
-  bits = std::bit_width(all);
+  bits = static_cast<int>(std::bit_width(all));
   return result;
 }
 

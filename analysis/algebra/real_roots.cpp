@@ -90,7 +90,7 @@ std::vector<RealRoot> roots_from(const std::vector<Univariate<Rational>>& polyno
 RealRoot::RealRoot(Rational value)
     : polynomial_(primitive(Univariate<Rational>({-value, 1}))), low_(value), high_(std::move(value)) {}
 
-RealRoot::RealRoot(Univariate<Rational> irreducible, Rational low, Rational high)
+RealRoot::RealRoot(const Univariate<Rational>& irreducible, Rational low, Rational high)
     : polynomial_(primitive(irreducible)), low_(std::move(low)), high_(std::move(high)) {
   if (polynomial_.degree() == 1)
     low_ = high_ = rational();

@@ -19,7 +19,7 @@ class RealRoot {
  public:
   RealRoot(Rational value);
   /// throws  Error  when the polynomial has not exactly one root in the interval (low, high)
-  RealRoot(Univariate<Rational> irreducible, Rational low, Rational high);
+  RealRoot(const Univariate<Rational>& irreducible, Rational low, Rational high);
 
   const Univariate<Rational>& polynomial() const { return polynomial_; }
   int degree() const { return polynomial_.degree(); }

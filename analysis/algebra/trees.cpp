@@ -2,6 +2,7 @@
 #include "analysis/algebra/trees.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "analysis/algebra/error.hpp"
 
@@ -20,7 +21,7 @@ std::size_t mixed(TreeId left, TreeId right) {
 std::string in_megabytes(double bytes) {
   const double megabytes = bytes / 1e6;
   if (megabytes >= 1e9) return "more than 10^9 megabytes";
-  return std::to_string(static_cast<long long>(megabytes + 0.5)) + " megabytes";
+  return std::to_string(std::llround(megabytes)) + " megabytes";
 }
 
 }  // namespace

@@ -74,7 +74,7 @@ std::optional<Fraction> answer(const ImplicitParameters& p, Letter given) {
   // Only where it depends on h^2 k or h c alone, whatever h is.
   if (equation.terms().size() != p.equations[0].terms().size()) return std::nullopt;
   if (equation.degree(given) != 1) return std::nullopt;
-  const Fraction g = -Fraction(equation.coefficient(given, 0), equation.coefficient(given, 1));
+  Fraction g = -Fraction(equation.coefficient(given, 0), equation.coefficient(given, 1));
   for (Letter letter = 0; letter < kLetters; ++letter)
     if (letter != p.unknowns[0] && g.contains(letter)) return std::nullopt;
   return g;

@@ -40,7 +40,7 @@ std::string objection(const Flight& flight, const Rational& n, const Rational& f
 bool corrected_for_all_n(const Flight& flight) {
   const auto& rise = flight.rise();
   const auto& fall = flight.fall();
-  const Rational dt = flight.dt();
+  const Rational& dt = flight.dt();
   return rise[0].is_zero() && rise[1] == dt && rise[2].is_zero() && fall[0].is_zero() &&
          fall[2] == dt * dt / 2;
 }

@@ -69,9 +69,11 @@ class Matcher {
       }
     }
     if (found.kind == Matching::Kind::impossible && (!force_.damper || own_.decay)) {
-      kit_.notes.push_back(own_.decay ? "a stiffness alone is not enough: it changes the determinant of the "
-                                        "step, which the decay has to make"
-                                      : why_not_stiffness_alone(*step_, found.obstruction, names_));
+      kit_.notes.push_back(!own_.decay ? why_not_stiffness_alone(*step_, found.obstruction, names_)
+                           : found.obstruction.empty()
+                               ? "a stiffness alone is not enough: it changes the determinant of the step, "
+                                 "which the decay has to make"
+                               : "a stiffness alone is not enough: " + found.obstruction);
       free.damper = true;
       found = match(free);
     }

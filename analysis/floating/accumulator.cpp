@@ -101,7 +101,7 @@ mpz_class Walk::further(const mpz_class& sum, const mpz_class& gain, long k) con
   const bool outwards = (sgn(sum) < 0) == (sgn(gain) < 0);
   const mpz_class size = abs(sum);
   const mpz_class room = outwards ? mpz_class(most - size) : mpz_class(size - least);
-  const mpz_class count = room / abs(gain);
+  mpz_class count = room / abs(gain);
   if (!last || !outwards || k == 0) return count;
   // A sum below 2^(greatest_bit + 1) may be rounded up to it: stop at the largest number.
   const mpz_class finite = (largest() - abs(sum - step_ + gain)) / abs(gain);

@@ -105,7 +105,7 @@ std::string duration(std::int64_t steps) {
   const double seconds = 20e-9 * static_cast<double>(steps);
   constexpr double kDay = 86400, kYear = 365.25 * kDay;
   const auto words = [](double value, const char* unit) {
-    return std::to_string(static_cast<std::int64_t>(value + 0.5)) + " " + unit;
+    return std::to_string(std::llround(value)) + " " + unit;
   };
   if (seconds < kDay) return words(seconds / 60, "minutes");
   return seconds < kYear ? words(seconds / kDay, "days") : words(seconds / kYear, "years");

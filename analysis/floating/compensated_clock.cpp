@@ -26,7 +26,8 @@ using shortfall::bit_length;  // of GMP's integers
 int bit_length(Int128 value) {
   const auto size = static_cast<UInt128>(value < 0 ? -value : value);
   const auto high = static_cast<std::uint64_t>(size >> 64);
-  return high ? 64 + std::bit_width(high) : std::bit_width(static_cast<std::uint64_t>(size));
+  return static_cast<int>(high ? 64 + std::bit_width(high)
+                               : std::bit_width(static_cast<std::uint64_t>(size)));
 }
 
 /// A whole number rounded to so many bits.
@@ -101,7 +102,7 @@ std::optional<Rational> bound(const Question& q) {
   const Rational half(1, 2);
   const Rational u = spacing(greatest * Rational(2), q.format);
   const Rational of_y = spacing(q.increment.abs() + u, q.format);
-  const Rational result = half * u + q.n * half * of_y;
+  Rational result = half * u + q.n * half * of_y;
   if (result > greatest) return std::nullopt;  // then sums might be more than twice as large
   return result;
 }

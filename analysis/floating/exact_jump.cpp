@@ -96,7 +96,7 @@ std::vector<mpz_class> jumped(const ExactStep& step, const std::vector<mpz_class
   if (modulus.size() == 1) return result;  // it is zero, and stays so
   LengthCheck check_length;
   Coefficients power{1};
-  for (int bit = std::bit_width(static_cast<std::uint64_t>(steps)) - 1; bit >= 0; --bit) {
+  for (int bit = static_cast<int>(std::bit_width(static_cast<std::uint64_t>(steps))) - 1; bit >= 0; --bit) {
     power = squared(power);
     if (steps >> bit & 1) power.emplace(power.begin(), 0);
     reduce(power, modulus);

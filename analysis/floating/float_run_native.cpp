@@ -13,7 +13,7 @@ FloatAccess<OffsetFloat> offset_access() {
     return OffsetFloat(origin.to_double(), (value - origin).to_float());
   };
   a.exact = [](const OffsetFloat& value) -> FloatNumber {
-    const FloatNumber origin = exactly(value.origin()), offset = exactly(value.offset());
+    FloatNumber origin = exactly(value.origin()), offset = exactly(value.offset());
     if (!origin.is_finite()) return origin;
     if (!offset.is_finite()) return offset;
     return {FloatNumber::Kind::finite, origin.value + offset.value};

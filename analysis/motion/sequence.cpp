@@ -5,7 +5,7 @@
 
 namespace shortfall {
 
-Sequence::Sequence(Fraction base, Fraction coefficient) { add(base, coefficient); }
+Sequence::Sequence(const Fraction& base, const Fraction& coefficient) { add(base, coefficient); }
 
 void Sequence::add(const Fraction& base, const Fraction& coefficient) {
   if (coefficient.is_zero()) return;

@@ -22,8 +22,8 @@ class Sequence {
   };
 
   Sequence() = default;
-  Sequence(Fraction polynomial) : Sequence(1, std::move(polynomial)) {}
-  Sequence(Fraction base, Fraction coefficient);
+  Sequence(const Fraction& polynomial) : Sequence(1, polynomial) {}
+  Sequence(const Fraction& base, const Fraction& coefficient);
 
   const std::vector<Term>& terms() const { return terms_; }
   bool is_zero() const { return terms_.empty(); }

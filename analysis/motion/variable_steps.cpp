@@ -111,7 +111,7 @@ class Row {
 
   /// The number c of c h^power in a column.
   Fraction number(int column, int power) {
-    const Fraction c = row_[column] / letter(h_).pow(power);
+    Fraction c = row_[column] / letter(h_).pow(power);
     if (!is_number(c) && reason_.empty())
       reason_ = what_ + " changes by (" + text(row_[column]) + ")*" + (column == 1 ? "v" : "a") +
                 ", which is no multiple of h" + (power > 1 ? "^" + std::to_string(power) : "");

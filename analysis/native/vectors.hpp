@@ -31,17 +31,17 @@ template <class S, std::size_t Most>
 class BoundedVector {
  public:
   BoundedVector() = default;
-  explicit BoundedVector(std::size_t size) : size_(size) { std::fill_n(parts_, size, S()); }
-  BoundedVector(const BoundedVector& other) : size_(other.size_) { std::copy_n(other.parts_, size_, parts_); }
+  explicit BoundedVector(std::size_t size) : size_(size) { std::fill_n(data(), size, S()); }
+  BoundedVector(const BoundedVector& other) : size_(other.size_) { std::copy_n(other.data(), size_, data()); }
   BoundedVector& operator=(const BoundedVector& other) {
     size_ = other.size_;
-    std::copy_n(other.parts_, size_, parts_);
+    std::copy_n(other.data(), size_, data());
     return *this;
   }
   ~BoundedVector() = default;
   std::size_t size() const { return size_; }
-  S* data() { return parts_; }
-  const S* data() const { return parts_; }
+  S* data() { return parts_.data(); }
+  const S* data() const { return parts_.data(); }
   S& operator[](std::size_t i) { return parts_[i]; }
   const S& operator[](std::size_t i) const { return parts_[i]; }
 
@@ -54,7 +54,7 @@ class BoundedVector {
 
  private:
   std::size_t size_ = 0;
-  S parts_[Most];
+  std::array<S, Most> parts_;
 };
 
 template <class V>

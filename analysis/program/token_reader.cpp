@@ -30,7 +30,7 @@ struct Deeper {
 }  // namespace
 
 Token TokenReader::take() {
-  const Token token = peek();
+  Token token = peek();
   if (!at_end()) ++next_;
   return token;
 }

@@ -38,7 +38,7 @@ void put_terms(const SeriesSource& source, const TreeTable& table, const TreeSer
     if (vanishes(field[t])) continue;
     const std::string& component = table.signature().components[table.component(t)];
     if (component == "t") continue;
-    const Fraction b(field[t]);
+    const Fraction& b = field[t];
     sum += b;
     if (source.zero(b)) continue;
     m.terms.push_back({component, table.order(t) - 1, tree_text(table, t), differential(table, t),

@@ -37,7 +37,7 @@ SplittingParts<Field> parts_of(const KickDriftForms<Field>& problem, const KickD
   const auto covered_by = [&](const KickDriftForm<Field>& at, std::size_t count, const std::string& what) {
     if (!zero_as_known(only_power(at, 0, 0, what.c_str()) - Field(1)))
       throw Unable(what + " is a multiple of the old one");
-    const Field c = only_power(at, 1, 1, what.c_str());
+    Field c = only_power(at, 1, 1, what.c_str());
     for (std::size_t j = 0; j < count; ++j)
       if (!zero_as_known(only_power(at, 2 + j, 2, what.c_str()) - kicks[j] * (c - covered[j])))
         throw Unable("no kicks and drifts lead to " + what);

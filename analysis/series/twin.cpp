@@ -25,7 +25,7 @@ std::optional<Step> one_step_of(const Program& program, FreeForce& force, const 
   Run<FreeForce> run(tape, force, h), again(tape, force, h);
   run.begin(FreeVector::x(), FreeVector::v(), t);
   run.step();
-  const Step step = run.read_out();
+  Step step = run.read_out();
   again.begin(step.first, step.second, t + h);
   for (std::size_t s = 0; s < tape.states.size(); ++s)
     if (!(run.state(static_cast<int>(s)) == again.state(static_cast<int>(s)))) return std::nullopt;

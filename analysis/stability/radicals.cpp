@@ -40,7 +40,8 @@ SplitRoot split_root(const Rational& r, unsigned long m) {
 Expr surd_formula(const Surd& s) {
   if (s.is_rational()) return number(s.rational_part());
   const SplitRoot root = split_root(s.radicand(), 2);
-  const Rational q = s.root_part() * root.outside, p = s.rational_part();
+  const Rational q = s.root_part() * root.outside;
+  const Rational& p = s.rational_part();
   const Rational common = q.denominator() * (p * q.denominator()).denominator();
   const auto term = [](const Rational& size, const Expr& e) { return number(size) * e; };
   const Expr radical = term((q * common).abs(), call("sqrt", {number(root.inside)}));
@@ -167,7 +168,7 @@ std::optional<Expr> radical_formula(const RealRoot& x) {
     const Surd value = quadratic(RealRoot(q, power_of(x.low()), power_of(x.high())));
     if (m == 1) return surd_formula(value);
     if (m != 2) return root(value);
-    if (const auto sum = denested_root(value)) return sum;
+    if (auto sum = denested_root(value)) return sum;
     return root(value);
   }
   const auto value = cubic(q);

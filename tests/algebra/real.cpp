@@ -27,7 +27,7 @@ TEST_CASE("a rational becomes the nearest Real of its precision") {
       mpq_init(exact);
       mpfr_get_q(exact, x.backend().data());
       char* text = mpq_get_str(nullptr, 10, exact);
-      const Rational gap = (a - Rational::parse(text)).abs();
+      Rational gap = (a - Rational::parse(text)).abs();
       void (*release)(void*, std::size_t);
       mp_get_memory_functions(nullptr, nullptr, &release);
       release(text, std::char_traits<char>::length(text) + 1);

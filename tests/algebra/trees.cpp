@@ -239,7 +239,7 @@ TEST_CASE("a table that would not fit is refused before it is made, with what wo
   int fits = 1;
   while (TreeTable::bytes_needed(Signature::first_order(), fits + 1) <= 1e6) ++fits;
   try {
-    TreeTable(Signature::first_order(), 30, 1e6);
+    const TreeTable refused(Signature::first_order(), 30, 1e6);
     FAIL("it was made");
   } catch (const Unable& e) {
     CHECK(std::string(e.what()).find("ask for order " + std::to_string(fits) + " or less") !=

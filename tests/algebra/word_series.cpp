@@ -83,7 +83,7 @@ RationalMatrix strictly_upper(std::size_t n) {
 TEST_CASE("the series of Baker, Campbell and Hausdorff has its published coefficients to degree 6") {
   // Rossmann (2002), Lie Groups, 1.3, and the usual list of the terms of degrees 5 and 6, in nested brackets.
   const int n = 6;
-  const auto term = [](Rational c, std::string_view letters) { return c * nested(n, letters); };
+  const auto term = [](const Rational& c, std::string_view letters) { return c * nested(n, letters); };
   Element known = Element::a(n) + Element::b(n) + term(Rational(1, 2), "AB");
   known += term(Rational(1, 12), "AAB") + term(Rational(1, 12), "BBA") - term(Rational(1, 24), "BAAB");
   known -= term(Rational(1, 720), "BBBBA") + term(Rational(1, 720), "AAAAB");

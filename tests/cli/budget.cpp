@@ -75,7 +75,7 @@ TEST_CASE("budget says where rounding begins, and what it is as tracked beside t
 
 TEST_CASE("budget refuses what has no answer, with one sentence and the documented code") {
   const Folder folder;
-  for (const auto& [arguments, code, sentence] :
+  for (const auto& [line, code, sentence] :
        {std::tuple{"--landing", 2, "--landing is that of a jump"},
         {"--periods 2 --height 1", 2, "--periods asks for the time of an oscillation"},
         {"--periods 0 --force spring:k=1", 2, "a whole number from 1 to 100000"},
@@ -91,8 +91,9 @@ TEST_CASE("budget refuses what has no answer, with one sentence and the document
         {"--steps 10 --dt inf", 2, "this is not a number"},
         {"--steps 10 --dt -1", 2, "greater than 0"},
         {"--steps 10 --formats mpfr:1000000000", 2, "from 2 to 100000"}}) {
+    const std::string arguments = line;
     CAPTURE(arguments);
-    const CommandRun o = folder.run(std::string("budget ") + arguments + " -o out.txt");
+    const CommandRun o = folder.run("budget " + arguments + " -o out.txt");
     CHECK(o.code == code);
     CHECK(contains(o.error, sentence));
     CHECK(o.out.empty());

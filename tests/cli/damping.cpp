@@ -55,12 +55,13 @@ TEST_CASE("damping of all engines: a row each, those that do not damp with the r
 }
 
 TEST_CASE("bad damping is refused in one sentence") {
-  for (const auto& [arguments, code] : {std::pair{"damping godot --param c=-1", 2},
-                                        {"damping godot --dt 0", 2},
-                                        {"damping gdot", 2},
-                                        {"damping symplectic-euler", 2},
-                                        {"damping --lang cobol", 2},
-                                        {"damping godot --param d=1", 2}}) {
+  for (const auto& [line, code] : {std::pair{"damping godot --param c=-1", 2},
+                                   {"damping godot --dt 0", 2},
+                                   {"damping gdot", 2},
+                                   {"damping symplectic-euler", 2},
+                                   {"damping --lang cobol", 2},
+                                   {"damping godot --param d=1", 2}}) {
+    const std::string arguments = line;
     CAPTURE(arguments);
     const CommandRun o = run(arguments);
     CHECK(o.code == code);

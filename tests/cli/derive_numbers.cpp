@@ -45,16 +45,17 @@ TEST_CASE("the runaway of an unstable step is still a number") {
 }
 
 TEST_CASE("a question in numbers that lacks one is refused") {
-  for (const auto& [arguments, word] : {std::pair{"--force spring --steps 5", "a number for k"},
-                                        {"--force poly:1 --steps 5", "a number for f0"},
-                                        {"--steps -1", "0 or more"},
-                                        {"--steps 1/2", "whole number"},
-                                        {"--steps 5 --until 1", "give one of them"},
-                                        {"--until 0.03", "between two frames"},
-                                        {"--steps 1e200", "from 0 to 10^100"},
-                                        {"--force constant:a=1", "goes with --steps"},
-                                        {"--force spring:q=1 --steps 1", "letters of the force"},
-                                        {"--steps 5 --latex", "leave one of the two out"}}) {
+  for (const auto& [line, word] : {std::pair{"--force spring --steps 5", "a number for k"},
+                                   {"--force poly:1 --steps 5", "a number for f0"},
+                                   {"--steps -1", "0 or more"},
+                                   {"--steps 1/2", "whole number"},
+                                   {"--steps 5 --until 1", "give one of them"},
+                                   {"--until 0.03", "between two frames"},
+                                   {"--steps 1e200", "from 0 to 10^100"},
+                                   {"--force constant:a=1", "goes with --steps"},
+                                   {"--force spring:q=1 --steps 1", "letters of the force"},
+                                   {"--steps 5 --latex", "leave one of the two out"}}) {
+    const std::string arguments = line;
     CAPTURE(arguments);
     const CommandRun o = derive(arguments);
     CHECK(o.code == 2);

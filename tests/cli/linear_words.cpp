@@ -87,7 +87,8 @@ TEST_CASE("bad input and unstable physics are told in a sentence") {
       {"stability rapier --param c=-60 --dt 60Hz",
        "there is no step of rapier with these parameters and dt = 1/60 s"},
   };
-  for (const auto& [command, sentence] : refused) {
+  for (const auto& [line, sentence] : refused) {
+    const std::string command = line;
     const CommandRun o = run(command);
     CAPTURE(command);
     CHECK((o.code == 2 || o.code == 4));

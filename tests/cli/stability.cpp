@@ -160,12 +160,13 @@ TEST_CASE("pictures by the ending of their name; without gnuplot a clear sentenc
   }
   const std::pair<const char*, const char*> formats[] = {
       {"svg", "<?xml"}, {"png", "\x89PNG"}, {"pdf", "%PDF-"}};
-  for (const auto& [ending, beginning] : formats) {
+  for (const auto& [format, beginning] : formats) {
+    const std::string ending = format;
     CAPTURE(ending);
-    f.run("rk4 --plot rk4." + std::string(ending));
+    f.run("rk4 --plot rk4." + ending);
     CHECK(f.code == 0);
-    CHECK(contains(f.error, "wrote rk4." + std::string(ending)));
-    CHECK(f.text("rk4." + std::string(ending)).starts_with(beginning));
+    CHECK(contains(f.error, "wrote rk4." + ending));
+    CHECK(f.text("rk4." + ending).starts_with(beginning));
   }
   f.run("rk4 --plot nowhere/rk4.svg");
   CHECK(f.code == 5);

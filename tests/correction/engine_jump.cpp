@@ -201,7 +201,7 @@ TEST_CASE("PhysX with external forces in every iteration: one engine, two correc
   CHECK_FALSE(given.correction.exists);
   CHECK(given.shortfall.total > set.shortfall.total);
   // By hand: N = 4 parts of the impulse, each followed by a drift of dt/4.
-  const auto peak = [](Surd u) {
+  const auto peak = [](const Surd& u) {
     Surd v = 0, x = 0, top = 0;
     for (int n = 0; n < 60; ++n)
       for (int k = 0; k < 4; ++k) {

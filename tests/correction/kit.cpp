@@ -181,7 +181,8 @@ TEST_CASE("for any polynomial force, kick-drift needs the force and launch serie
 TEST_CASE("every option that exists repairs the stepped integrator itself") {
   int tried = 0;
   for (const Program& p : testing::short_catalogue())
-    for (const auto& [degree, substeps] : {std::pair{0, 1}, {1, 1}, {2, 3}, {4, 1}}) {
+    for (const auto& [highest, substeps] : {std::pair{0, 1}, {1, 1}, {2, 3}, {4, 1}}) {
+      const int degree = highest;
       CAPTURE(p.name);
       CAPTURE(degree);
       const Derivation d = derivation(p, degree, {}, substeps, false);

@@ -96,7 +96,7 @@ struct Motions {
 
   /// The formulas of the true motion that hold for these numbers.
   FlowCase flow() const {
-    const LinearFlow all = linear_flow(force, letter_names(lower(program)));
+    LinearFlow all = linear_flow(force, letter_names(lower(program)));
     const Rational discriminant = test.k - test.c * test.c / 4;
     if (force.k || !force.spring || discriminant.sign() > 0) return all;
     return discriminant.is_zero() ? all.others.at(0) : all.others.back();

@@ -25,7 +25,7 @@ struct CodeFolder : ScratchFolder {
   /// What a command says, both ways; it must succeed.
   std::string output(const std::string& command) const {
     const int code = std::system(("cd " + root().string() + " && (" + command + ") > output 2>&1").c_str());
-    const std::string said = text("output");
+    std::string said = text("output");
     CHECK_MESSAGE(code == 0, command << "\n" << said);
     return said;
   }

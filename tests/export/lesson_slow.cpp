@@ -126,7 +126,7 @@ TEST_CASE("a lesson fails when one of its numbers or formulas is wrong") {
     const auto& [name, from, to] = mistakes[i];
     std::string text = notebook(find_lesson(name), LessonFor::teacher);
     const std::size_t at = text.rfind(from);
-    INFO(name, ": ", from);
+    INFO(mistakes[i][0], ": ", mistakes[i][1]);
     REQUIRE(at != std::string::npos);
     files += " " + written(folder, std::to_string(i) + ".ipynb", text.replace(at, from.size(), to));
   }

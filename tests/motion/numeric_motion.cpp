@@ -91,7 +91,8 @@ TEST_CASE(
   std::vector<std::pair<Rational, Rational>> cases{
       {4, 4}, {1, 2}, {Rational(1, 9), Rational(2, 3)}, {3, 0}, {-3, 0}, {-3, 2}, {0, 3}, {0, -2}, {2, 3}};
   for (int i = 0; i < 60; ++i) cases.emplace_back(draw(-20, 40), draw(-5, 20));
-  for (const auto& [k, c] : cases) {
+  for (const auto& [stiffness, damping] : cases) {
+    const Rational k = stiffness, c = damping;
     CAPTURE(k.str());
     CAPTURE(c.str());
     const Rational t = draw(1, 12);

@@ -202,7 +202,8 @@ TEST_CASE("closed forms with parameters that the user gives agree with stepping"
 TEST_CASE("closed forms of integrators that a user may write agree with stepping") {
   const Precision digits(kRoundedDigits);
   Chance chance(22);
-  for (const auto& [what, text] : testing::random_integrators(chance, 60)) {
+  for (const auto& [what, written] : testing::random_integrators(chance, 60)) {
+    const std::string text = written;
     CAPTURE(text);
     const Program program = parse(text, what + ".integrator");
     Count count;

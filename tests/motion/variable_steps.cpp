@@ -107,7 +107,8 @@ TEST_CASE("alpha is read off the step") {
                                                {"beeman", Rational(1, 2)},
                                                {"newmark", Rational(1, 2)},
                                                {"leapfrog", 1}};
-  for (const auto& [name, alpha] : alphas) {
+  for (const auto& [word, alpha] : alphas) {
+    const std::string name = word;
     CAPTURE(name);
     const VariableSteps steps = variable_steps(find_integrator(name));
     REQUIRE(steps.law);
@@ -199,10 +200,11 @@ TEST_CASE("the law is what stepping does for random steps of its form, start and
 }
 
 TEST_CASE("methods that use what an earlier step has left behind have no law, and say what it is") {
-  for (const auto& [name, state] :
+  for (const auto& [word, state] :
        std::map<std::string, std::string>{{"adams-bashforth-2", "v_prev"},
                                           {"stoermer-verlet", "x_prev"},
                                           {"stoermer-verlet-wrong-start", "x_prev"}}) {
+    const std::string name = word;
     CAPTURE(name);
     const VariableSteps steps = variable_steps(find_integrator(name));
     CHECK_FALSE(steps.law);

@@ -151,7 +151,7 @@ TEST_CASE("every explicit integrator of the catalogue, run on traced values, is 
     const auto run = [&](bool read_out) {
       return [&tape, read_out](TracedVector& x, TracedVector& v, const TracedScalar& t, const TracedScalar& h,
                                TracedForce a, Carried& carried) {
-        Traces problem{a, &carried, &tape, v - v};
+        Traces problem{a, &carried, &tape, v - v};  // NOLINT(misc-redundant-expression): zero is traced
         Run<Traces> steps(tape, problem, h);
         steps.begin(x, v, t);
         if (read_out) {

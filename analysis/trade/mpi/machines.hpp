@@ -11,8 +11,10 @@ namespace shortfall {
 /// without, there is one.
 class Machines {
  public:
-  Machines();   ///< MPI_Init, where mpirun started this process
-  ~Machines();  ///< MPI_Finalize, then
+  /// MPI_Init, where mpirun started this process.
+  Machines();
+  /// MPI_Finalize, then. Without MPI there is nothing to end.
+  ~Machines();  // NOLINT(performance-trivially-destructible)
   Machines(const Machines&) = delete;
   Machines& operator=(const Machines&) = delete;
 
