@@ -104,8 +104,7 @@ void add_budget(CLI::App& app, int& code) {
       app, "Floats", "budget",
       "What part of an error is the method's, the constants', the arithmetic's, the sampling's.",
       {"budget symplectic-euler --height 1.7 --dt 0.02f --formats f32",
-       "budget velocity-verlet --force spring:k=1 --dt 1/10 --steps 10000 --formats "
-       "f16,f32,f32+kahan,f64,mpfr:50",
+       "budget velocity-verlet --force spring:k=1 --dt 1/10 --steps 10000 --formats f32,f32+kahan",
        "budget --height 1.7 --formats f32 --plot budget.svg", "budget --height 1.7 --landing --dt 0.02f",
        "budget velocity-verlet --force spring:k=40 --dt 1/60f --periods 10"});
   auto o = std::make_shared<BudgetOptions>();

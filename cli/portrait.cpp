@@ -28,6 +28,7 @@ Expr potential_of(const std::string& text) {
   Names names;
   names.force = false;
   names.functions = Functions::all;
+  names.log_is_rate = false;
   names.allowed = "; a potential is written in x alone";
   names.declare("x", Type{});
   return parse_formula(text, "--potential", names, Type{});

@@ -23,6 +23,8 @@ Json as_json(const Verdict& v, const std::string& quantity, const Expr& claimed)
       {"quantity", quantity}, {"claimed", print(claimed)}, {"proved", v.proved}, {"found", print(v.found)}};
   json["found_from"] = v.found_from;
   json["holds_from"] = v.holds_from ? Json(*v.holds_from) : Json(nullptr);
+  json["undefined_at"] = Json::array();
+  for (const Rational& n : v.gaps.counts) json["undefined_at"].push_back(n.str());
   json["counter_example"] = nullptr;
   if (v.counter_example) {
     Json values;
@@ -35,9 +37,19 @@ Json as_json(const Verdict& v, const std::string& quantity, const Expr& claimed)
   return json;
 }
 
+/// "every n >= 0 except n = 0, where it divides by zero, and all values of the letters".
+std::string whole_domain(const FormulaGaps& gaps) {
+  std::string text = "every n >= 0";
+  for (std::size_t i = 0; i < gaps.counts.size(); ++i)
+    text += (i ? ", " : " except n = ") + gaps.counts[i].str();
+  if (!gaps.counts.empty()) text += ", where it divides by zero,";
+  text += " and all values of the letters";
+  return gaps.of_letters ? text + " at which it does not divide by zero" : text;
+}
+
 std::string as_text(const Verdict& v, const std::string& quantity, const Expr& claimed, Style style) {
   std::string text = quantity + " = " + print(claimed, style) + "\n";
-  if (v.proved) return text + "  proved: it holds for every n >= 0 and all values of the letters.\n";
+  if (v.proved) return text + "  proved: it holds for " + whole_domain(v.gaps) + ".\n";
   const CounterExample& c = *v.counter_example;
   text += "  refuted at n = " + std::to_string(c.n) + ":";
   std::string zero;

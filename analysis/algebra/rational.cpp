@@ -376,7 +376,8 @@ std::size_t Rational::hash() const {
       mix(mix(0, static_cast<std::uint64_t>(numerator_)), static_cast<std::uint64_t>(denominator_));
   if (!big_) return h;
   for (const mpz_class* z : {&big_->value.get_num(), &big_->value.get_den()})
-    for (std::size_t i = 0; i < mpz_size(z->get_mpz_t()); ++i) h = mix(h, mpz_getlimbn(z->get_mpz_t(), i));
+    for (mp_size_t i = 0; i < static_cast<mp_size_t>(mpz_size(z->get_mpz_t())); ++i)
+      h = mix(h, mpz_getlimbn(z->get_mpz_t(), i));
   return mix(h, static_cast<std::uint64_t>(sign()));
 }
 

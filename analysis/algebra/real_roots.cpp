@@ -252,8 +252,8 @@ RealRoot square_root(const RealRoot& square) {
     if (narrow.low().sign() <= 0) continue;
     const Rational a = root_below(narrow.low(), unit), b = root_below(narrow.high(), unit) + unit;
     if (a.sign() <= 0 || a * a < least || (!square.is_rational() && b * b > square.high())) continue;
-    for (Univariate<Rational>& f : factors)
-      if (const ExactSign sign(f); sign(a) * sign(b) < 0) return RealRoot(std::move(f), a, b);
+    for (const Univariate<Rational>& f : factors)
+      if (const ExactSign sign(f); sign(a) * sign(b) < 0) return RealRoot(f, a, b);
   }
 }
 

@@ -81,9 +81,10 @@ void put_frame_lines(Budget& b, const RunResult& r, const RunResult& second) {
     const ExactMotionEnd again = exact_motion_end(question, steps, digits + 10);
     const auto parts = [&](const Ball& truth, const Ball& method, const Ball& representation,
                            const FloatNumber& run_value) {
-      return std::vector<BudgetTerm>{{"method", truth - method},
-                                     {"representation", method - representation},
-                                     {"rounding", representation - Ball(run_value.value, bits)}};
+      return std::vector<BudgetTerm>{
+          {"method", truth - method},
+          {"representation", b.stored.as_meant ? Ball(0, bits) : method - representation},
+          {"rounding", representation - Ball(run_value.value, bits)}};
     };
     b.lines = {budget_line("x", "m", second.state.first, ideal.true_x, again.true_x,
                            parts(ideal.true_x, ideal.x, kept.x, r.state.first), bits),

@@ -17,15 +17,22 @@ class Storage {
  public:
   explicit Storage(const FloatFormat& format) : format_(format) {}
 
-  Rational operator()(const Rational& value, const std::string& what) const {
+  Rational operator()(const Rational& value, const std::string& what) {
+    Rational kept = as_kept(value, what);
+    changes_ = changes_ || kept != value;
+    return kept;
+  }
+  /// Whether a number so far is kept as another.
+  bool changes() const { return changes_; }
+
+ private:
+  Rational as_kept(const Rational& value, const std::string& what) const {
     if (format_.variant == FloatFormat::Variant::offset && what == "x0") return offset(value);
     const auto r = rounded(value, format_.storage(), format_.rounding());
     if (!r) throw Unable(what + " = " + value.significant(6) + " is infinite in " + format_.words());
     if (format_.kind == FloatFormat::Kind::double_double) return double_double(value);
     return *r;
   }
-
- private:
   /// An origin in binary64 and the rest in binary32.
   static Rational offset(const Rational& value) {
     const Rational origin = value.abs().floor() * Rational(value.sign());
@@ -36,12 +43,11 @@ class Storage {
     return high + Rational::from_double((value - high).to_double());
   }
   const FloatFormat& format_;
+  bool changes_ = false;
 };
 
-Expr stored(const Expr& e, const Storage& storage) {
+Expr stored(const Expr& e, Storage& storage) {
   if (!e) return e;
-  if (e->op == Expression::Op::number && !e->value.is_integer())
-    return number(storage(e->value, "a number of the step"), e->place);
   if (e->op == Expression::Op::number) return number(storage(e->value, "a number of the step"), e->place);
   if (e->operands.empty() || e->op == Expression::Op::power) return e;  // exponents are counts
   auto copy = std::make_shared<Expression>(*e);
@@ -49,7 +55,7 @@ Expr stored(const Expr& e, const Storage& storage) {
   return copy;
 }
 
-void store(std::vector<Statement>& block, const Storage& storage) {
+void store(std::vector<Statement>& block, Storage& storage) {
   for (Statement& s : block) {
     if (s.kind != Statement::Kind::substeps) s.value = stored(s.value, storage);
     for (Unknown& u : s.unknowns) u.value = stored(u.value, storage);
@@ -171,7 +177,7 @@ std::unique_ptr<FloatRun> exact_run(const FloatQuestion& question) {
 
 FloatQuestion stored(const FloatQuestion& question, const FloatFormat& format) {
   check_numeric(question.force);
-  const Storage storage(format);
+  Storage storage(format);
   FloatQuestion q = question;
   q.h = storage(q.kept_h.value_or(q.h), "h");
   q.kept_h.reset();
@@ -194,6 +200,7 @@ FloatQuestion stored(const FloatQuestion& question, const FloatFormat& format) {
   store(q.program.start, storage);
   store(q.program.step, storage);
   store(q.program.finish, storage);
+  q.as_meant = !storage.changes() && q.h == question.h && question.program.roots.empty();
   return q;
 }
 

@@ -37,6 +37,7 @@ struct FloatQuestion {
   std::optional<Rational> kept_h{};  ///< what is stored for h, when that was said: 0.02f for 0.02
   Rational x0;
   Rational v0;
+  bool as_meant = false;  ///< of stored(): that the format holds every one of these numbers
 };
 
 /// Is shown the vectors that a step makes, each with the statement that it belongs to (null for none).

@@ -154,7 +154,7 @@ Budget period_budget(const FloatFormat& format, const FloatQuestion& q, int peri
                kept = reader.map(b.stored, q.h, bits);
     std::vector<BudgetTerm> terms{{"sampling", truth - sampled},
                                   {"method", sampled - ideal},
-                                  {"representation", ideal - kept},
+                                  {"representation", b.stored.as_meant ? Ball(0, bits) : ideal - kept},
                                   {"rounding", kept - Ball(first.period, bits)}};
     b.lines = {budget_line("period", "s", {FloatNumber::Kind::finite, second.period}, truth,
                            o.period(bits + 40), std::move(terms), bits)};

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/motion/formula.hpp"
 
+#include <algorithm>
 #include <charconv>
 
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/real_roots.hpp"
 #include "analysis/program/print.hpp"
 
 namespace shortfall {
@@ -31,6 +33,8 @@ class Evaluation {
       : scalars_(scalars), columns_(degree + 3), extras_(extras) {}
 
   Motion motion(const Expr& e) const { return widened(of(e), e).motion; }
+  /// What was divided by so far, without the power r^n in it.
+  const std::vector<Fraction>& divisors() const { return divisors_; }
 
   FormulaValue of(const Expr& e) const {
     switch (e->op) {
@@ -128,6 +132,7 @@ class Evaluation {
     if (divisor.terms().size() != 1)
       throw Unable("the formula divides by '" + print(e) + "', a sum of different powers");
     const Sequence::Term& term = divisor.terms().front();
+    divisors_.push_back(term.coefficient);
     return Sequence(Fraction(1) / term.base, Fraction(1) / term.coefficient);
   }
 
@@ -166,7 +171,24 @@ class Evaluation {
   const FormulaScalars& scalars_;
   int columns_;
   ExtraLetters* extras_;
+  mutable std::vector<Fraction> divisors_;
 };
+
+/// The whole n >= 0 at which a polynomial that is not 0 vanishes for all values of its other letters.
+std::vector<Rational> whole_zeros(const Polynomial& p) {
+  Polynomial of_count;
+  for (int number = 3; of_count.is_zero(); number += 2) {  // zero by chance: other numbers
+    of_count = p;
+    for (Letter letter = 0; letter < kLetters; ++letter)
+      if (letter != kCount) of_count = of_count.substitute(letter, Rational(number + letter, 2 + letter));
+  }
+  std::vector<Rational> zeros;
+  for (const RealRoot& r : real_roots(univariate(of_count, kCount)))
+    if (r.is_rational() && r.rational().is_integer() && r.rational().sign() >= 0 &&
+        p.substitute(kCount, r.rational()).is_zero())
+      zeros.push_back(r.rational());
+  return zeros;
+}
 
 }  // namespace
 
@@ -193,6 +215,22 @@ FormulaScalars formula_scalars(const Program& program, const Values& given, Extr
 
 Motion evaluated(const Expr& formula, const FormulaScalars& scalars, int degree, ExtraLetters* extras) {
   return Evaluation(scalars, degree, extras).motion(formula);
+}
+
+FormulaGaps formula_gaps(const Expr& formula, const FormulaScalars& scalars, int degree,
+                         ExtraLetters* extras) {
+  const Evaluation evaluation(scalars, degree, extras);
+  evaluation.motion(formula);
+  FormulaGaps gaps;
+  for (const Fraction& divisor : evaluation.divisors()) {
+    const Polynomial& p = divisor.numerator();
+    for (const Rational& n : whole_zeros(p))
+      if (std::ranges::find(gaps.counts, n) == gaps.counts.end()) gaps.counts.push_back(n);
+    for (Letter letter = 0; letter < kLetters; ++letter)
+      if (letter != kCount && letter != kStepLetter && p.degree(letter) > 0) gaps.of_letters = true;
+  }
+  std::ranges::sort(gaps.counts);
+  return gaps;
 }
 
 Fraction scalar_value(const Expr& formula, const FormulaScalars& scalars, ExtraLetters* extras) {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <string>
+#include <vector>
 
 #include "analysis/motion/closed_form.hpp"
 #include "analysis/program/tape.hpp"
@@ -32,6 +33,16 @@ FormulaScalars formula_scalars(const Program& program, const Values& given = {},
 /// throws  Undefined  where it divides by zero;  Unable  when it is no combination of this kind
 Motion evaluated(const Expr& formula, const FormulaScalars& scalars, int degree,
                  ExtraLetters* extras = nullptr);
+
+/// Where a formula has no value although its motion may have one: n = 0 of v0*t^2/(n*h).
+struct FormulaGaps {
+  std::vector<Rational> counts;  ///< whole n >= 0 at which it divides by zero, whatever the letters are
+  bool of_letters = false;       ///< whether it divides by something that is zero for some letters
+};
+
+/// The gaps of a formula that evaluated() takes.
+FormulaGaps formula_gaps(const Expr& formula, const FormulaScalars& scalars, int degree,
+                         ExtraLetters* extras = nullptr);
 
 /// A formula that contains no vector, as a rational function of its scalars.
 ///

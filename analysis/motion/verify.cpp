@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "analysis/motion/verify.hpp"
 
+#include <algorithm>
+
 #include "analysis/motion/formula.hpp"
 
 namespace shortfall {
@@ -34,7 +36,9 @@ Verdict verdict(const Derivation& d, const Program& program, const Values& given
   verdict.found_from = d.form.valid_from;
   const NumberField field(d.map.generators);
   ExtraLetters* extras = d.map.force.extras.get();
-  const Motion motion = evaluated(claimed, formula_scalars(program, given, extras), d.degree, extras);
+  const FormulaScalars scalars = formula_scalars(program, given, extras);
+  const Motion motion = evaluated(claimed, scalars, d.degree, extras);
+  verdict.gaps = formula_gaps(claimed, scalars, d.degree, extras);
   const bool equal = is_zero(motion - truth);
   const LinearForm& row = position ? d.map.position : d.map.velocity;
   // Two sequences of this kind that differ do so within as many consecutive n as they have coefficients;
@@ -42,6 +46,7 @@ Verdict verdict(const Derivation& d, const Program& program, const Values& given
   const auto states = stepped(d.map, d.form.valid_from);
   for (int n = 0;; ++n) {
     if (n >= d.form.valid_from && equal) break;
+    if (std::ranges::find(verdict.gaps.counts, Rational(n)) != verdict.gaps.counts.end()) continue;
     for (std::size_t column = 0; column < motion.size(); ++column) {
       const int source =
           column < 2 ? static_cast<int>(column) : d.map.force.force_column(static_cast<int>(column) - 2);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "analysis/motion/derivation.hpp"
+#include "analysis/motion/formula.hpp"
 
 namespace shortfall {
 
@@ -18,12 +19,13 @@ struct CounterExample {
 };
 
 /// Whether a formula for the position (or the velocity) after n steps is right for every n >= 0 and all
-/// values of the letters.
+/// values of the letters at which it does not divide by zero.
 struct Verdict {
   bool proved = false;
   std::optional<CounterExample> counter_example;  ///< the smallest n that refutes it
   std::optional<int> holds_from;                  ///< refuted, but proved for every n from this one on
-  Expr found;                                     ///< the right formula
+  FormulaGaps gaps;    ///< where the formula itself has no value; said, not refuted
+  Expr found;          ///< the right formula
   int found_from = 0;  ///< the smallest n for which it is: before, the start is felt
 };
 

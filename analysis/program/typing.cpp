@@ -213,9 +213,9 @@ class Typing {
         require_pure(e, 0, given[0]);
         if (!given[1].type.same_as({Sort::scalar, kTime})) require_pure(e, 1, given[1]);
         break;
-      case Function::log:  // a rate per second
+      case Function::log:
         require_pure(e, 0, given[0]);
-        j.type.dimension = Dimension{0, -1};
+        if (names_.log_is_rate) j.type.dimension = Dimension{0, -1};
         break;
       default:
         require_pure(e, 0, given[0]);

@@ -36,6 +36,7 @@ struct Names {
   std::string allowed;  ///< what a name may be here, said of one that is not: "; a default may use ..."
   bool force = true;    ///< whether a(x, v, t) may be called
   Functions functions = Functions::none;
+  bool log_is_rate = true;       ///< log(2), said of a damping, is one per second; else it is a pure number
   bool symbolic_powers = false;  ///< whether an exponent may be a name, as in r^n
 
   void declare(const std::string& name, Type type, bool assigned = true) { known[name] = {type, assigned}; }

@@ -123,9 +123,9 @@ std::vector<std::unique_ptr<Peer>> peers(const std::string& script) {
   // Debian's packages are those of /usr/bin/python3, whatever python3 may be elsewhere on the path.
   const std::string python = access("/usr/bin/python3", X_OK) == 0 ? "/usr/bin/python3" : "python3";
   std::vector<std::unique_ptr<Peer>> all;
-  const auto start = [&](const std::string& name, std::vector<std::string> command, std::string greeting,
-                         std::string line_end) {
-    all.push_back(std::make_unique<Peer>(name, std::move(command), std::move(greeting), std::move(line_end)));
+  const auto start = [&](const std::string& name, std::vector<std::string> command,
+                         const std::string& greeting, std::string line_end) {
+    all.push_back(std::make_unique<Peer>(name, std::move(command), greeting, std::move(line_end)));
   };
   start("SymPy", {python, path + ".py"}, "", "");
   start("Maxima", {"maxima", "--very-quiet"}, "batchload(\"" + path + ".mac\")$", "$");

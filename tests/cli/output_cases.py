@@ -179,6 +179,7 @@ CASES = f"""
 1 verify explicit-euler --force constant --x "x0 + v0*t + 1/2*a*t^2 + 1/2*a*h*t"
 0 verify rk4 --force poly:1 --v "v0 + f0*t + 1/2*f1*t^2"
 1 verify adams-bashforth-2 --force poly:1 --x "x0 + v0*t + 1/2*f0*t^2 + 1/6*f1*t^3 - 5/12*f1*h^2*t + 1/4*f1*h^3"
+0 verify symplectic-euler --x "x0 + v0*t + 1/2*a*t^2*(n + 1)/n"
 1 verify rk4 --force poly:1 --x "x0 + v0*t" --v "v0 + f0*t + 1/2*f1*t^2"
 
 0 stability symplectic-euler
@@ -236,6 +237,7 @@ CASES = f"""
 0 portrait symplectic-euler --dt 1/2 --from 1,0 --from 1/2,-1 --steps 20
 0 portrait rk4 --steps 10
 0 portrait symplectic-euler --potential "-x^4"
+0 portrait symplectic-euler --potential "log(x)" --dt 1/4 --steps 8
 0 portrait velocity-verlet --potential "1 - cos(x)" --steps 10 --substeps 2
 0 portrait symplectic-euler --potential "sqrt(x)" --from 1,-1 --steps 100
 

@@ -15,7 +15,7 @@
 
 using namespace shortfall;
 
-using testing::moving_body, testing::term;
+using testing::moving_body, testing::resting_body, testing::term;
 
 TEST_CASE("a jump of 1.7 m with symplectic Euler in binary32: every part to its published digits, in mm") {
   FloatQuestion q = moving_body("symplectic-euler", "constant", Rational(1, 50));
@@ -83,6 +83,18 @@ TEST_CASE("each part is what its name says") {
   CHECK(b.lines[0].observed.is_zero());
   CHECK_FALSE(b.difference.reported.has_value());
   CHECK(b.difference.compared == 100);
+  // So on a spring, whose motion no fraction is; where a number or the step's text is rounded there is a
+  // part.
+  const auto kept = [](const char* integrator, const char* force, const char* format) {
+    return term(budget(float_format(format), moving_body(integrator, force, Rational(1, 8)), 20).lines[0],
+                "representation");
+  };
+  FloatQuestion spring = resting_body("velocity-verlet", "spring:k=3", Rational(1, 8));
+  CHECK(term(budget(float_format("f16"), spring, 20).lines[0], "representation").is_zero());
+  spring.kept_h = Rational(1, 8) + Rational(1, 1024);
+  CHECK_FALSE(term(budget(float_format("f16"), spring, 20).lines[0], "representation").contains_zero());
+  CHECK_FALSE(kept("velocity-verlet", "spring:k=3", "f32").contains_zero());  // v0 = -1/3
+  CHECK_FALSE(kept("forest-ruth", "spring:k=3", "f32").contains_zero());
   // Exact for a while, and not for ever: 1/64 s of 8 m/s^2, in 11 bits.
   q.v0 = Rational(5, 2);
   b = budget(float_format("f16"), q, 100);

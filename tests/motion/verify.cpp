@@ -37,6 +37,30 @@ TEST_CASE("a right formula is proved in whatever way it is written") {
   CHECK(verdict_on("velocity-verlet", 1, "x0 + v0*t + f0*t^2/2 + f1*t*(t^2 - h^2)/6").proved);
 }
 
+TEST_CASE("where a formula divides by zero is said, and is no reason to refute it") {
+  const auto gaps = [](const char* formula) {
+    const Verdict v = verdict_on("symplectic-euler", 0, formula);
+    CHECK(v.proved);
+    return v.gaps;
+  };
+  CHECK(gaps("x0 + v0*t + 1/2*a*t^2*(n + 1)/n").counts == std::vector<Rational>{0});
+  CHECK(gaps("x0 + v0*t + 1/2*a*t*(t + h)*(n - 1)/(n - 1)*(n - 10)^-2*(n - 10)^2*(1/n)^-1/n").counts ==
+        std::vector<Rational>{0, 1, 10});
+  CHECK(gaps("x0 + v0*t + 1/2*a*t*(t + h)*(n + 1)/(n + 1)*(n^2 - 2)/(n^2 - 2)*(n - 1/2)/(2*n - 1)*2")
+            .counts.empty());
+  CHECK_FALSE(gaps("x0 + v0*t + 1/2*a*t*(t + h)").of_letters);
+  // (n - 1) h k - (n - 1) vanishes at n = 1 whatever h and k are.
+  const Program p = find_integrator("newmark");
+  const Expr claimed = parse_formula("x0*((n - 1)*beta*gamma - (n - 1))/((n - 1)*(beta*gamma - 1)) + 0*v0",
+                                     "--x", formula_names(p, 0), {Sort::vector, kLength});
+  const FormulaGaps found = formula_gaps(claimed, formula_scalars(p), 0);
+  CHECK(found.counts == std::vector<Rational>{1});
+  CHECK(found.of_letters);
+  const Verdict wrong = verdict_on("symplectic-euler", 0, "x0/n + v0*t");
+  REQUIRE(wrong.counter_example);
+  CHECK(wrong.counter_example->n == 1);
+}
+
 TEST_CASE("a wrong formula is refuted at the smallest n, with numbers that show it") {
   const Verdict v = verdict_on("symplectic-euler", 0, "x0 + v0*t + a*t^2");
   CHECK_FALSE(v.proved);
