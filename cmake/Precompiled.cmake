@@ -18,9 +18,9 @@ function(shortfall_precompile target)
     add_library(${holder} OBJECT EXCLUDE_FROM_ALL "${source}")
     target_precompile_headers(${holder} PRIVATE "${PROJECT_SOURCE_DIR}/cmake/${header}.hpp")
     target_compile_features(${holder} PUBLIC cxx_std_20)
-    # The tests are compiled with -O1, and newer compilers use a header only under the options that made it.
-    if(header STREQUAL precompiled_test AND CMAKE_CXX_COMPILER_VERSION VERSION_GREATER_EQUAL 13)
-      target_compile_options(${holder} PRIVATE -O1)
+    # A header is used only under the options that made it.
+    if(header STREQUAL precompiled_test)
+      target_compile_options(${holder} PRIVATE ${SHORTFALL_TEST_OPTIMIZATION})
     endif()
   endif()
   target_precompile_headers(${target} REUSE_FROM ${holder})
