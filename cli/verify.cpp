@@ -37,19 +37,20 @@ Json as_json(const Verdict& v, const std::string& quantity, const Expr& claimed)
   return json;
 }
 
-/// "every n >= 0 except n = 0, where it divides by zero, and all values of the letters".
-std::string whole_domain(const FormulaGaps& gaps) {
-  std::string text = "every n >= 0";
-  for (std::size_t i = 0; i < gaps.counts.size(); ++i)
-    text += (i ? ", " : " except n = ") + gaps.counts[i].str();
-  if (!gaps.counts.empty()) text += ", where it divides by zero,";
-  text += " and all values of the letters";
-  return gaps.of_letters ? text + " at which it does not divide by zero" : text;
+/// " except n = 0, 3, where it divides by zero,"; empty when it does nowhere from there on.
+std::string exceptions(const FormulaGaps& gaps, int from) {
+  std::string text;
+  for (const Rational& n : gaps.counts)
+    if (n >= Rational(from)) text += (text.empty() ? " except n = " : ", ") + n.str();
+  return text.empty() ? text : text + ", where it divides by zero,";
 }
 
 std::string as_text(const Verdict& v, const std::string& quantity, const Expr& claimed, Style style) {
   std::string text = quantity + " = " + print(claimed, style) + "\n";
-  if (v.proved) return text + "  proved: it holds for " + whole_domain(v.gaps) + ".\n";
+  if (v.proved)
+    return text + "  proved: it holds for every n >= 0" + exceptions(v.gaps, 0) +
+           " and all values of the letters" +
+           (v.gaps.of_letters ? " at which it does not divide by zero.\n" : ".\n");
   const CounterExample& c = *v.counter_example;
   text += "  refuted at n = " + std::to_string(c.n) + ":";
   std::string zero;
@@ -63,8 +64,8 @@ std::string as_text(const Verdict& v, const std::string& quantity, const Expr& c
   text +=
       "\n    the integrator gives " + c.computed.str() + ", the formula " + c.claimed.str() + " (exact)\n";
   if (v.holds_from)
-    return text + "  from n = " + std::to_string(*v.holds_from) +
-           " on it holds (proved): before that, the start is still felt\n";
+    return text + "  from n = " + std::to_string(*v.holds_from) + " on" + exceptions(v.gaps, *v.holds_from) +
+           " it holds (proved): before that, the start is still felt\n";
   return text + "  right is: " + print(v.found, style) +
          (v.found_from > 0 ? ", for n >= " + std::to_string(v.found_from) : "") + "\n";
 }
