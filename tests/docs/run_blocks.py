@@ -41,11 +41,13 @@ def blocks(path):
 
 
 def indented_commands(path):
-    """(line number, command, exit code) of every command that is shown indented by four blanks."""
+    """(line number, command, exit code) of every command that is shown indented by four blanks.
+
+    More than one blank after the name makes it a row of a table."""
     found, fenced = [], False
     for number, line in enumerate(open(path, encoding="utf-8"), 1):
         fenced ^= line.startswith("```")
-        shown = re.match(r"    ((?:shortfall|awk|printf) .*?)(?:  +# (.*))?$", line.rstrip("\n"))
+        shown = re.match(r"    ((?:shortfall|awk|printf) \S.*?)(?:  +# (.*))?$", line.rstrip("\n"))
         if shown and not fenced:
             code = re.search(r"exit (\d+)", shown[2] or "")
             found.append((number, shown[1], int(code[1]) if code else 0))
