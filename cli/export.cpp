@@ -48,24 +48,6 @@ std::vector<Language> languages(const std::string& words) {
   return list;
 }
 
-const char* ending(Language language) {
-  switch (language) {
-    case Language::csharp:
-      return ".cs";
-    case Language::cpp:
-      return ".cpp";
-    case Language::gdscript:
-      return ".gd";
-    case Language::python:
-      return ".py";
-    case Language::rust:
-      return ".rs";
-    case Language::javascript:
-      return ".js";
-  }
-  return "";
-}
-
 /// The corrected jump where the force is constant, the kit's functions otherwise; nothing where there is
 /// nothing to write.
 std::optional<std::string> source(const Question& q, const Derivation& d, const CorrectionKit& kit,
@@ -149,7 +131,10 @@ int export_derivation(const Question& q, const Wanted& wanted) {
   for (const Language language : wanted.html&& asked.empty() ? languages("all") : asked)
     if (auto text = source(q, d, kit, language)) {
       shown.emplace_back(title(language), *text);
-      if (!asked.empty()) files["code/" + name + ending(language)] = std::move(*text);
+      // Functions to be pasted become a header where they are a file.
+      if (language == Language::cpp && text->find("#pragma once") == std::string::npos)
+        text->insert(0, "#pragma once\n\n");
+      if (!asked.empty()) files["code/" + name + file_ending(language)] = std::move(*text);
     }
   if (!asked.empty() && shown.empty())
     say("shortfall: no code is written: " +

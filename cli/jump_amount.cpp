@@ -3,6 +3,8 @@
 
 #include <optional>
 
+#include "analysis/algebra/unit.hpp"
+
 namespace shortfall::cli {
 
 namespace {
@@ -24,11 +26,9 @@ std::string exact_text(const Rational& value, int places) {
 }
 
 Amounts::Unit Amounts::unit_named(const std::string& name) {
-  if (name == "mm") return {"mm", 1000};
-  if (name == "cm") return {"cm", 100};
-  if (name == "km") return {"km", Rational(1, 1000)};
-  if (name == "px") return {"px", 1};
-  return {"m", 1};
+  const PhysicalUnit* known = find_unit(name);
+  if (!known || known->dimension != kPhysicalLength) return {"m", 1};
+  return {name, Rational(1) / known->scale};
 }
 
 Amounts::Amounts(const std::string& unit, const Rational& typical, bool ascii)

@@ -26,7 +26,7 @@ class Amounts {
 
  private:
   struct Unit {
-    const char* name;
+    std::string name;
     Rational per_metre;
   };
   Unit of_difference(const Surd& metres) const;

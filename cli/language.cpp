@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/language.hpp"
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/suggest.hpp"
 
@@ -8,9 +9,7 @@ namespace shortfall::cli {
 
 Language language_of(const std::string& word, const std::string& option, const std::string& beside) {
   if (const auto language = language_named(word)) return *language;
-  std::string known;
-  for (const std::string& name : language_names()) known += (known.empty() ? "" : ", ") + name;
-  throw BadInput(option + " '" + word.substr(0, 60) + "': we write " + known + beside +
+  throw BadInput(option + " '" + word.substr(0, 60) + "': we write " + comma_list(language_names()) + beside +
                  did_you_mean(word, language_names()));
 }
 

@@ -1,39 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "cli/quantity.hpp"
 
-#include <array>
 #include <cmath>
+#include <utility>
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/algebra/error.hpp"
+#include "analysis/algebra/unit.hpp"
 #include "analysis/program/suggest.hpp"
 
 namespace shortfall::cli {
 
 namespace {
 
-struct Scale {
-  std::string_view name;
-  Unit unit;
-  int numerator;
-  int denominator;
-};
-
-constexpr std::array<Scale, 11> kScales{{{"mm", Unit::length, 1, 1000},
-                                         {"cm", Unit::length, 1, 100},
-                                         {"km", Unit::length, 1000, 1},
-                                         {"px", Unit::length, 1, 1},
-                                         {"m", Unit::length, 1, 1},
-                                         {"ms", Unit::time, 1, 1000},
-                                         {"min", Unit::time, 60, 1},
-                                         {"s", Unit::time, 1, 1},
-                                         {"h", Unit::time, 3600, 1},
-                                         {"Hz", Unit::time, 1, 1},
-                                         {"fps", Unit::time, 1, 1}}};
-
+/// Names of the units that a length or a time can have.
 std::vector<std::string> known_units(Unit unit) {
-  std::vector<std::string> names;
-  for (const Scale& s : kScales)
-    if (s.unit == unit) names.emplace_back(s.name);
+  std::vector<std::string> names = unit_names(unit == Unit::length ? kPhysicalLength : kPhysicalTime);
+  if (unit == Unit::time)
+    for (std::string& rate : unit_names(kPhysicalRate)) names.push_back(std::move(rate));
   return names;
 }
 
@@ -61,18 +45,18 @@ Rational quantity(std::string_view text, Unit unit, const std::string& what) {
     if (!std::isfinite(rounded)) throw complain("it overflows its format");
     return Rational::from_double(rounded);
   }
-  for (const Scale& s : kScales) {
-    if (s.name != suffix || s.unit != unit) continue;
-    if (s.name != "Hz" && s.name != "fps") return value * Rational(s.numerator, s.denominator);
-    if (value.is_zero()) throw complain("0 Hz is no step");
-    return Rational(1) / value;
+  const PhysicalUnit* known = find_unit(suffix);
+  if (known && known->dimension == (unit == Unit::length ? kPhysicalLength : kPhysicalTime) &&
+      unit != Unit::none)
+    return value * known->scale;
+  if (known && known->dimension == kPhysicalRate && unit == Unit::time) {
+    if (value.is_zero()) throw complain("0 " + std::string(suffix) + " is no step");
+    return Rational(1) / (value * known->scale);
   }
   if (unit == Unit::none) throw complain("it takes no unit, found '" + std::string(suffix) + "'");
   const std::vector<std::string> names = known_units(unit);
-  std::string list;
-  for (const std::string& name : names) list += (list.empty() ? "" : ", ") + name;
   throw complain("unknown unit '" + std::string(suffix) + "'" + did_you_mean(std::string(suffix), names) +
-                 "; the units are " + list);
+                 "; the units are " + comma_list(names));
 }
 
 Rational positive_quantity(std::string_view text, Unit unit, const std::string& what) {

@@ -9,7 +9,7 @@ Scene scene_from(const std::string& path, const std::string& until) {
   Scene scene = read_scene(path);
   if (until.empty()) return scene;
   const PhysicalQuantity q = physical_quantity(until);
-  if (q.dimension && *q.dimension != PhysicalDimension{0, 1, 0})
+  if (q.dimension && *q.dimension != kPhysicalTime)
     throw BadInput("--until '" + until.substr(0, 40) + "' is no time");
   const Rational end = q.dimension ? scene.units.from_si(q.value, {0, 1, 0}) : q.value;
   if (end < scene.step) throw BadInput("--until '" + until.substr(0, 40) + "' is before the first frame");

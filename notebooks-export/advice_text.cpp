@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "notebooks-export/comma_list.hpp"
+#include "analysis/algebra/comma_list.hpp"
 #include "notebooks-export/text_table.hpp"
 #include "notebooks-export/trade_text.hpp"
 

@@ -18,7 +18,7 @@ std::string base64(const std::string& bytes) {
   return text;
 }
 
-std::string from_hexadecimal(const std::string& digits) {
+std::string from_hexadecimal(std::string_view digits) {
   std::string bytes;
   for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
     unsigned byte = 0;

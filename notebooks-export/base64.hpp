@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace shortfall {
 
@@ -11,6 +12,6 @@ namespace shortfall {
 std::string base64(const std::string& bytes);
 
 /// The bytes of pairs of hexadecimal digits.
-std::string from_hexadecimal(const std::string& digits);
+std::string from_hexadecimal(std::string_view digits);
 
 }  // namespace shortfall

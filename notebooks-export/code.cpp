@@ -146,21 +146,22 @@ std::string jump_code(const Flight& flight, const Rational& g, Language language
   const char* tolerance = !is_binary32(language) ? "1e-9" : language == Language::rust ? "1e-4" : "1e-4f";
   const bool exponential =
       std::ranges::any_of(step.step, [](const std::string& line) { return line.find("exp(") != line.npos; });
-  return filled(jump_template(language), {{"exp", {exponential ? ", exp" : ""}},
-                                          {"about", about(flight, g, correction)},
-                                          {"constants", constants(parameters, flight, language)},
-                                          {"correction", correction_lines},
-                                          {"plus_correction", {needed ? " + correction" : ""}},
-                                          {"g", {literal(g, language)}},
-                                          {"dt", {dt}},
-                                          {"dt_parameter", {uses_dt ? dt_parameter(language, dt) : ""}},
-                                          {"dt_argument", {uses_dt ? ", dt" : ""}},
-                                          {"start", step.start},
-                                          {"step", step.step},
-                                          {"mut", {step.velocity_changes ? "mut " : ""}},
-                                          {"position", {step.position}},
-                                          {"heights", {heights}},
-                                          {"tolerance", {tolerance}}});
+  return filled(code_template("jump", language),
+                {{"exp", {exponential ? ", exp" : ""}},
+                 {"about", about(flight, g, correction)},
+                 {"constants", constants(parameters, flight, language)},
+                 {"correction", correction_lines},
+                 {"plus_correction", {needed ? " + correction" : ""}},
+                 {"g", {literal(g, language)}},
+                 {"dt", {dt}},
+                 {"dt_parameter", {uses_dt ? dt_parameter(language, dt) : ""}},
+                 {"dt_argument", {uses_dt ? ", dt" : ""}},
+                 {"start", step.start},
+                 {"step", step.step},
+                 {"mut", {step.velocity_changes ? "mut " : ""}},
+                 {"position", {step.position}},
+                 {"heights", {heights}},
+                 {"tolerance", {tolerance}}});
 }
 
 std::string code_name(const CodeFunction& function, Language language) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "notebooks-export/code_block.hpp"
 
-#include "notebooks-export/comma_list.hpp"
+#include "analysis/algebra/comma_list.hpp"
 
 namespace shortfall {
 

@@ -6,16 +6,15 @@
 #include <map>
 #include <set>
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/correction/kit.hpp"
 #include "analysis/problems/first_steps.hpp"
 #include "analysis/program/cpp_names.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/transform.hpp"
-#include "notebooks-export/code_class_template.hpp"
 #include "notebooks-export/code_step.hpp"
 #include "notebooks-export/code_template.hpp"
-#include "notebooks-export/comma_list.hpp"
 
 namespace shortfall {
 
@@ -137,7 +136,7 @@ std::string integrator_code(const Program& whole, const Values& given, int subst
   std::string function = program.name;
   for (char& c : function)
     if (c == '-') c = '_';
-  return filled(class_template(language),
+  return filled(code_template("class", language),
                 {{"about", about(program, given, language)},
                  {"class", {cpp_class_name(program.name)}},
                  {"function", {function}},

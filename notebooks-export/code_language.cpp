@@ -225,6 +225,11 @@ const std::vector<std::string>& language_names() {
   return names;
 }
 
+std::string file_ending(Language language) {
+  constexpr std::array<const char*, 6> kEndings{".cs", ".hpp", ".gd", ".py", ".rs", ".js"};
+  return kEndings[static_cast<std::size_t>(language)];
+}
+
 std::string title(Language language) {
   constexpr std::array<const char*, 6> kTitles{"C#", "C++", "GDScript", "Python", "Rust", "JavaScript"};
   return kTitles[static_cast<std::size_t>(language)];

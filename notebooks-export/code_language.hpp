@@ -28,6 +28,9 @@ const std::vector<std::string>& language_names();
 /// What a language calls itself: "C#".
 std::string title(Language language);
 
+/// How the names of its files end: ".cs"; of C++ it is a header, ".hpp".
+std::string file_ending(Language language);
+
 bool is_binary32(Language language);
 
 /// A name of ours (snake_case) in the language's habit, out of the way of its keywords: alphaM, alpha_m.

@@ -19,6 +19,13 @@ const std::vector<std::string>& value_of(std::string_view name,
 
 }  // namespace
 
+std::string_view code_template(std::string_view name, Language language) {
+  const std::string path = std::string(name) + file_ending(language) + ".in";
+  const std::string_view text = embedded_text(code_templates(), path);
+  if (text.empty()) throw Error("there is no template " + path);
+  return text;
+}
+
 std::string filled(std::string_view text, const std::map<std::string, std::vector<std::string>>& values) {
   std::string result;
   while (!text.empty()) {

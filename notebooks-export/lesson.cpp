@@ -142,7 +142,7 @@ Lesson parse_lesson(std::string_view text, const std::string& file) { return Rea
 const std::vector<Lesson>& lessons() {
   static const std::vector<Lesson> course = [] {
     std::vector<Lesson> all;
-    for (const CatalogueFile& file : lesson_files())
+    for (const EmbeddedFile& file : lesson_files())
       all.push_back(parse_lesson(file.text, "lessons/" + std::string(file.path)));
     std::ranges::sort(all, {}, &Lesson::place);
     return all;

@@ -1,19 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
-#include <span>
-#include <string>
-
-#include "analysis/program/catalogue_data.hpp"
+#include "analysis/program/embedded_file.hpp"
 
 namespace shortfall {
 
-/// The .lesson files as they lay in lessons/ when the library was built, sorted by path.
-std::span<const CatalogueFile> lesson_files();
+/// The .lesson files of lessons/, sorted by path.
+std::span<const EmbeddedFile> lesson_files();
 
-/// The PNG files in lessons/pictures/ by their names, in hexadecimal digits: "falling-short-1.png" is what
-/// the first cell of the lesson that draws has drawn.
-const std::map<std::string, std::string>& lesson_pictures();
+/// The PNG files of lessons/pictures/: "falling-short-1.png" is what the first cell of the lesson that draws has drawn.
+std::span<const EmbeddedFile> lesson_pictures();
 
 }  // namespace shortfall

@@ -61,9 +61,7 @@ std::string without_answer(const std::string& source, bool is_code) {
 
 /// What the cell that draws showed when the lesson was last drawn (`./dev pictures`).
 std::string drawn(const std::string& lesson, int number) {
-  const auto& pictures = lesson_pictures();
-  const auto found = pictures.find(lesson + "-" + std::to_string(number) + ".png");
-  return found == pictures.end() ? std::string() : from_hexadecimal(found->second);
+  return from_hexadecimal(embedded_text(lesson_pictures(), lesson + "-" + std::to_string(number) + ".png"));
 }
 
 const char* word(Kind kind) {

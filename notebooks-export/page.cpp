@@ -120,7 +120,7 @@ std::string page(const Program& program, const Derivation& d, const CorrectionKi
   if (!motion.empty()) {
     page.section("Try it");
     page.html(explorer_markup(d, motion.find("correctable: true") != std::string::npos));
-    page.script(motion + page_texts().at("explorer.js"));
+    page.script(motion + page_text("explorer.js"));
   }
   page.section("The closed form");
   page.paragraph("What the integrator reads out after n steps:");

@@ -159,12 +159,11 @@ std::string PageDocument::text() const {
     page += "<style>\n" + with_fonts(*bytes_of(folder + "/katex.min.css"), folder) + "\n</style>\n";
     katex = script_element(*bytes_of(folder + "/katex.min.js") + "\n");
   }
-  page += "<style>\n" + page_texts().at("page.css") + "</style>\n</head>\n<body>\n";
+  page += "<style>\n" + page_text("page.css") + "</style>\n</head>\n<body>\n";
   page += "<a class=\"skip\" href=\"#content\">To the content</a>\n<header><h1>" + html_escaped(title_) +
           "</h1><button id=\"theme\" hidden aria-label=\"Dark colours\" aria-pressed=\"false\">light / "
           "dark</button></header>\n";
-  page +=
-      "<main id=\"content\">\n" + body_ + "</main>\n" + katex + script_element(page_texts().at("page.js"));
+  page += "<main id=\"content\">\n" + body_ + "</main>\n" + katex + script_element(page_text("page.js"));
   for (const std::string& s : scripts_) page += script_element(s);
   return page + "</body>\n</html>\n";
 }

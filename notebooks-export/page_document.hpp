@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "analysis/program/embedded_file.hpp"
 #include "analysis/program/expression.hpp"
 
 namespace shortfall {
@@ -52,6 +52,8 @@ std::string inline_formula(const std::string& latex);
 std::string katex_folder();
 
 /// The style sheet and the scripts of pages, by file name.
-const std::map<std::string, std::string>& page_texts();
+std::span<const EmbeddedFile> page_texts();
+/// The style sheet or script of that name.
+inline std::string page_text(std::string_view name) { return std::string(embedded_text(page_texts(), name)); }
 
 }  // namespace shortfall

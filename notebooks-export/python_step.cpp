@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/program/print.hpp"
 #include "analysis/program/transform.hpp"
-#include "notebooks-export/comma_list.hpp"
 
 namespace shortfall {
 

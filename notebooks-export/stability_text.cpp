@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/algebra/general_text.hpp"
 #include "notebooks-export/stability_words.hpp"
 
@@ -120,12 +121,6 @@ class StabilityWriter {
              (motion->valid_from > 0 ? " from " + std::to_string(motion->valid_from) + " on" : ""));
   }
 
-  std::string list(const std::vector<std::string>& names) const {
-    std::string text;
-    for (const std::string& n : names) text += (text.empty() ? "" : ", ") + n;
-    return text;
-  }
-
   void amplification() {
     const Amplification& a = s_.undamped;
     section(s_.of_substep ? "Amplification by one substep, of h/" + std::to_string(s_.substeps)
@@ -145,7 +140,7 @@ class StabilityWriter {
     if (a.zeros > 0)
       line("spurious", "eigenvalue 0, " +
                            std::string(a.zeros == 1 ? "once" : std::to_string(a.zeros) + " times") + ": of " +
-                           list(a.states) + " only " +
+                           comma_list(a.states) + " only " +
                            std::to_string(a.states.size() - static_cast<std::size_t>(a.zeros)) +
                            " matter for the next step");
   }

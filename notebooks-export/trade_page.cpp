@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "analysis/algebra/comma_list.hpp"
 #include "notebooks-export/figure_gnuplot.hpp"
 #include "notebooks-export/page_document.hpp"
 #include "notebooks-export/trade_text.hpp"
@@ -79,9 +80,7 @@ std::string trade_page(const Trade& trade, const std::string& command) {
                {table.rows.begin() + 1, table.rows.end()},
                {false, false, true, true, true, true, true, true, true, true, true, true});
   if (!table.unable.empty()) {
-    std::string list;
-    for (const std::string& label : table.unable) list += (list.empty() ? "" : ", ") + label;
-    page.paragraph("Not within the tolerances at any step that was tried: " + list + ".");
+    page.paragraph("Not within the tolerances at any step that was tried: " + comma_list(table.unable) + ".");
   }
   tell_points(page, trade);
   page.section("How these numbers are known");

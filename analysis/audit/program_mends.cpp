@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/real_roots.hpp"
 #include "analysis/audit/free_flight.hpp"
@@ -190,9 +191,7 @@ class ProgramMends {
     mend.digits = digits;
     mend.checks = std::max(failing_, static_cast<int>(restored.size())) - (solved ? 1 : 0);
     mend.cost = edit.cost + (all ? 0 : 3);
-    mend.restores = all ? kEveryClaim : "";
-    if (!all)
-      for (const std::string& claim : restored) mend.restores += (mend.restores.empty() ? "" : ", ") + claim;
+    mend.restores = all ? kEveryClaim : comma_list(restored);
     if (edit.exchanges_kicks)
       mend.changes.push_back({edit.words, "", ""});
     else

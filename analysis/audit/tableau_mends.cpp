@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/audit/slip.hpp"
 #include "analysis/audit/trials.hpp"
@@ -202,11 +203,7 @@ class TableauMends {
     mend.checks = result.checks;
     mend.digits = digits;
     mend.cost = trial.cost + (result.checks < 1 ? kWithoutCheck : 0) + (all ? 0 : kNotAll);
-    if (all) {
-      mend.restores = kEveryClaim;
-    } else {
-      for (const std::string& claim : restored) mend.restores += (mend.restores.empty() ? "" : ", ") + claim;
-    }
+    mend.restores = all ? kEveryClaim : comma_list(restored);
     describe(trial, result.mended, mend);
     if (std::ranges::none_of(mends_, [&](const Mend& other) { return same_changes(other, mend); }))
       mends_.push_back(std::move(mend));

@@ -8,6 +8,7 @@
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/algebra/general_text.hpp"
+#include "analysis/algebra/unit.hpp"
 #include "analysis/program/suggest.hpp"
 
 namespace shortfall {
@@ -92,21 +93,15 @@ std::optional<Thing> meaning(const std::string& key) {
 
 void set_length(LogColumns& columns, const std::string& unit) {
   const std::string length = unit.substr(0, unit.find('/'));
-  for (const auto& [name, metres] : {std::pair<const char*, Rational>{"mm", Rational(1, 1000)},
-                                     {"cm", Rational(1, 100)},
-                                     {"m", 1},
-                                     {"km", 1000},
-                                     {"px", 1}})
-    if (length == name) {
-      columns.unit = name;
-      columns.metres = metres;
-    }
+  const PhysicalUnit* known = find_unit(length);
+  if (!known || known->dimension != kPhysicalLength) return;
+  columns.unit = length;
+  columns.metres = known->scale;
 }
 
 void set_time(LogColumns& columns, const std::string& unit) {
-  if (unit == "ms") columns.seconds = Rational(1, 1000);
-  if (unit == "us" || unit == "µs") columns.seconds = Rational(1, 1'000'000);
-  if (unit == "ns") columns.seconds = Rational(1, 1'000'000'000);
+  const PhysicalUnit* known = find_unit(unit == "µs" ? "us" : unit);
+  if (known && known->dimension == kPhysicalTime) columns.seconds = known->scale;
 }
 
 /// Whether a column of text counts: each number larger than the one before by the same amount.

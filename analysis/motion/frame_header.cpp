@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <vector>
+#include <utility>
+
+#include "analysis/algebra/unit.hpp"
 
 namespace shortfall {
 
@@ -12,26 +14,29 @@ namespace {
 
 using Kind = FrameList::Kind;
 
-const std::vector<FrameUnit>& units() {
-  static const std::vector<FrameUnit> all{{"s", 1},
-                                          {"sec", 1},
-                                          {"secs", 1},
-                                          {"second", 1},
-                                          {"seconds", 1},
-                                          {"ms", Rational(1, 1000)},
-                                          {"msec", Rational(1, 1000)},
-                                          {"millisecond", Rational(1, 1000)},
-                                          {"milliseconds", Rational(1, 1000)},
-                                          {"us", Rational(1, 1'000'000)},
-                                          {"usec", Rational(1, 1'000'000)},
-                                          {"microsecond", Rational(1, 1'000'000)},
-                                          {"microseconds", Rational(1, 1'000'000)},
-                                          {"ns", Rational(1, 1'000'000'000)},
-                                          {"nanosecond", Rational(1, 1'000'000'000)},
-                                          {"nanoseconds", Rational(1, 1'000'000'000)},
-                                          {"hz", 1, true},
-                                          {"fps", 1, true}};
-  return all;
+/// How units are spelled in headers: in lower case, and which unit each is.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> kSpellings{{{"s", "s"},
+                                                                                    {"sec", "s"},
+                                                                                    {"secs", "s"},
+                                                                                    {"second", "s"},
+                                                                                    {"seconds", "s"},
+                                                                                    {"ms", "ms"},
+                                                                                    {"msec", "ms"},
+                                                                                    {"millisecond", "ms"},
+                                                                                    {"milliseconds", "ms"},
+                                                                                    {"us", "us"},
+                                                                                    {"usec", "us"},
+                                                                                    {"microsecond", "us"},
+                                                                                    {"microseconds", "us"},
+                                                                                    {"ns", "ns"},
+                                                                                    {"nanosecond", "ns"},
+                                                                                    {"nanoseconds", "ns"},
+                                                                                    {"hz", "Hz"},
+                                                                                    {"fps", "fps"}}};
+
+FrameUnit frame_unit_of(const std::pair<std::string_view, std::string_view>& spelling) {
+  const PhysicalUnit& unit = *find_unit(spelling.second);
+  return {spelling.first, unit.scale, unit.dimension == kPhysicalRate};
 }
 
 struct Named {
@@ -76,9 +81,9 @@ std::string folded(std::string_view text) {
 
 std::optional<FrameUnit> frame_unit(std::string_view name) {
   const std::string wanted = folded(name);
-  for (const FrameUnit& unit : units())
-    if (unit.name == wanted) return unit;
-  return std::nullopt;
+  const auto found =
+      std::ranges::find(kSpellings, wanted, [](const auto& spelling) { return spelling.first; });
+  return found == kSpellings.end() ? std::nullopt : std::optional(frame_unit_of(*found));
 }
 
 std::optional<FrameColumn> frame_column(std::string_view header) {
@@ -89,9 +94,10 @@ std::optional<FrameColumn> frame_column(std::string_view header) {
     return found == kNames.end() ? std::nullopt : std::optional(found->kind);
   };
   if (const auto kind = kind_of(word)) return FrameColumn{*kind, std::nullopt};
-  for (const FrameUnit& unit : units()) {
-    if (!word.ends_with(unit.name)) continue;
-    const auto kind = kind_of(std::string_view(word).substr(0, word.size() - unit.name.size()));
+  for (const auto& spelling : kSpellings) {
+    if (!word.ends_with(spelling.first)) continue;
+    const auto kind = kind_of(std::string_view(word).substr(0, word.size() - spelling.first.size()));
+    const FrameUnit unit = frame_unit_of(spelling);
     if (kind && unit.rate == (*kind == Kind::rate)) return FrameColumn{*kind, unit};
   }
   return std::nullopt;

@@ -30,7 +30,7 @@ std::string folded(std::string_view text) {
 const std::vector<Program>& catalogue() {
   static const std::vector<Program> programs = [] {
     std::vector<Program> all;
-    for (const CatalogueFile& file : catalogue_files())
+    for (const EmbeddedFile& file : catalogue_files())
       all.push_back(parse(file.text, std::string(file.path)));
     return all;
   }();

@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
-#include <string_view>
+#include "analysis/program/embedded_file.hpp"
 
 namespace shortfall {
 
-/// One .integrator file of the catalogue, as it lay in integrators/ when the library was built.
-struct CatalogueFile {
-  /// Relative to integrators/, with forward slashes: "euler/symplectic-euler.integrator".
-  std::string_view path;
-  std::string_view text;
-};
-
-/// The whole catalogue, sorted by path.
-std::span<const CatalogueFile> catalogue_files();
+/// The whole catalogue, the .integrator files of integrators/, sorted by path:
+/// "euler/symplectic-euler.integrator".
+std::span<const EmbeddedFile> catalogue_files();
 
 }  // namespace shortfall

@@ -4,9 +4,10 @@
 #include <array>
 #include <cctype>
 #include <cstdlib>
-#include <map>
+#include <utility>
 #include <vector>
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/suggest.hpp"
 
@@ -14,71 +15,27 @@ namespace shortfall {
 
 namespace {
 
-struct UnitEntry {
-  Rational scale;
+const PhysicalUnit& unit_named(std::string_view name) {
+  if (const PhysicalUnit* unit = find_unit(name)) return *unit;
+  const std::vector<std::string> names = unit_names();
+  throw BadInput("unknown unit '" + std::string(name.substr(0, 30)) + "'" + did_you_mean(name, names) +
+                 " (the units are " + comma_list(names) +
+                 "; and products and quotients of them such as m/s^2)");
+}
+
+/// The scale in SI units and the dimension of a product of units.
+struct UnitProduct {
+  Rational scale = 1;
   PhysicalDimension dimension;
 };
-
-const Rational& pi() {
-  static const Rational value =
-      Rational::parse("3.14159265358979323846264338327950288419716939937510582097494");
-  return value;
-}
-
-const std::map<std::string, UnitEntry, std::less<>>& units() {
-  static const std::map<std::string, UnitEntry, std::less<>> table = [] {
-    std::map<std::string, UnitEntry, std::less<>> t;
-    const PhysicalDimension length{1, 0, 0}, time{0, 1, 0}, mass{0, 0, 1}, none{};
-    const auto add = [&](const char* name, Rational scale, PhysicalDimension d) {
-      t.emplace(name, UnitEntry{std::move(scale), d});
-    };
-    add("m", 1, length);
-    add("um", Rational(1, 1'000'000), length);
-    add("mm", Rational(1, 1000), length);
-    add("cm", Rational(1, 100), length);
-    add("km", 1000, length);
-    add("px", 1, length);
-    add("au", Rational(149'597'870'700), length);  // IAU (2012), resolution B2
-    add("s", 1, time);
-    add("ns", Rational(1, 1'000'000'000), time);
-    add("us", Rational(1, 1'000'000), time);
-    add("ms", Rational(1, 1000), time);
-    add("min", 60, time);
-    add("h", 3600, time);
-    add("day", 86400, time);
-    add("year", 31'557'600, time);  // of 365.25 days
-    add("Hz", 1, time.pow(-1));
-    add("g", Rational(1, 1000), mass);
-    add("kg", 1, mass);
-    add("t", 1000, mass);
-    add("N", 1, PhysicalDimension{1, -2, 1});
-    add("J", 1, PhysicalDimension{2, -2, 1});
-    add("rad", 1, none);
-    add("deg", pi() / Rational(180), none);
-    add("%", Rational(1, 100), none);
-    return t;
-  }();
-  return table;
-}
-
-const UnitEntry& unit_named(std::string_view name) {
-  const auto found = units().find(name);
-  if (found != units().end()) return found->second;
-  std::vector<std::string> names;
-  for (const auto& [n, entry] : units()) names.push_back(n);
-  std::string known;
-  for (const std::string& n : names) known += (known.empty() ? "" : ", ") + n;
-  throw BadInput("unknown unit '" + std::string(name.substr(0, 30)) + "'" + did_you_mean(name, names) +
-                 " (the units are " + known + "; and products and quotients of them such as m/s^2)");
-}
 
 /// "m/s^2", "kg m^2/s^3", "1/m", "km/h".
 class UnitReader {
  public:
   explicit UnitReader(std::string_view text) : text_(text) {}
 
-  UnitEntry read() {
-    UnitEntry result{1, {}};
+  UnitProduct read() {
+    UnitProduct result;
     bool divide = false;
     bool first = true;
     for (skip(); next_ < text_.size(); skip()) {
@@ -107,17 +64,17 @@ class UnitReader {
   void skip() {
     while (next_ < text_.size() && text_[next_] == ' ') ++next_;
   }
-  UnitEntry factor() {
+  UnitProduct factor() {
     if (next_ < text_.size() && text_[next_] == '1') {  // as in 1/m
       ++next_;
-      return {1, {}};
+      return {};
     }
     const std::size_t begin = next_;
     while (next_ < text_.size() &&
            (std::isalpha(static_cast<unsigned char>(text_[next_])) || text_[next_] == '%'))
       ++next_;
     if (next_ == begin) throw complain();
-    const UnitEntry& unit = unit_named(text_.substr(begin, next_ - begin));
+    const PhysicalUnit& unit = unit_named(text_.substr(begin, next_ - begin));
     int exponent = 1;
     if (next_ < text_.size() && text_[next_] == '^') {
       ++next_;
@@ -165,25 +122,7 @@ std::size_t number_end(std::string_view text) {
   return i;
 }
 
-std::string powers(const std::array<std::pair<std::string, int>, 3>& parts, bool quotient) {
-  std::string above, below;
-  for (const auto& [name, exponent] : parts) {
-    if (exponent == 0) continue;
-    std::string& side = quotient && exponent < 0 ? below : above;
-    const int shown = quotient ? std::abs(exponent) : exponent;
-    side += (side.empty() ? "" : " ") + name + (shown == 1 ? "" : "^" + std::to_string(shown));
-  }
-  if (!quotient) return above.empty() ? "1" : above;
-  if (below.empty()) return above;
-  const std::string under = below.find(' ') == std::string::npos ? below : "(" + below + ")";
-  return (above.empty() ? "1" : above) + "/" + under;
-}
-
 }  // namespace
-
-std::string PhysicalDimension::str() const {
-  return powers({{{"L", length}, {"T", time}, {"M", mass}}}, false);
-}
 
 PhysicalQuantity physical_quantity(std::string_view text) {
   while (text.starts_with(' ')) text.remove_prefix(1);
@@ -193,7 +132,7 @@ PhysicalQuantity physical_quantity(std::string_view text) {
   PhysicalQuantity result{Rational::parse(text.substr(0, end)), std::nullopt};
   const std::string_view unit = text.substr(end);
   if (unit.find_first_not_of(' ') == std::string_view::npos) return result;
-  const UnitEntry read = UnitReader(unit).read();
+  const UnitProduct read = UnitReader(unit).read();
   result.value *= read.scale;
   result.dimension = read.dimension;
   return result;
@@ -202,7 +141,7 @@ PhysicalQuantity physical_quantity(std::string_view text) {
 UnitSystem UnitSystem::of(const std::string& length, const std::string& time, const std::string& mass) {
   UnitSystem system{length, time, mass};
   const auto scale = [](const std::string& name, PhysicalDimension wanted, const char* what) {
-    const UnitEntry& unit = unit_named(name);
+    const PhysicalUnit& unit = unit_named(name);
     if (unit.dimension != wanted) throw BadInput("'" + name + "' is no unit of " + what);
     return unit.scale;
   };
@@ -217,7 +156,18 @@ Rational UnitSystem::from_si(const Rational& value, const PhysicalDimension& d) 
 }
 
 std::string UnitSystem::unit(const PhysicalDimension& d) const {
-  return powers({{{length, d.length}, {mass, d.mass}, {time, d.time}}}, true);
+  std::string above, below;
+  int factors_below = 0;
+  for (const auto& [name, exponent] : std::array<std::pair<std::string_view, int>, 3>{
+           {{length, d.length}, {mass, d.mass}, {time, d.time}}}) {
+    if (exponent == 0) continue;
+    std::string& side = exponent < 0 ? below : above;
+    if (exponent < 0) ++factors_below;
+    side += (side.empty() ? "" : " ") + std::string(name);
+    if (std::abs(exponent) != 1) side += "^" + std::to_string(std::abs(exponent));
+  }
+  if (below.empty()) return above;
+  return (above.empty() ? "1" : above) + "/" + (factors_below == 1 ? below : "(" + below + ")");
 }
 
 }  // namespace shortfall

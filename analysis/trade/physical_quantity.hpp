@@ -1,28 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
 
 #include "analysis/algebra/rational.hpp"
+#include "analysis/algebra/unit.hpp"
 
 namespace shortfall {
-
-/// Powers of length, time and mass; an angle is a pure number.
-struct PhysicalDimension {
-  int length = 0;
-  int time = 0;
-  int mass = 0;
-  bool operator==(const PhysicalDimension&) const = default;
-  PhysicalDimension operator*(const PhysicalDimension& o) const {
-    return {length + o.length, time + o.time, mass + o.mass};
-  }
-  PhysicalDimension pow(int n) const { return {length * n, time * n, mass * n}; }
-  /// "L T^-2", "1" for a pure number.
-  std::string str() const;
-};
 
 /// A number with the unit that was written behind it, in SI units (angles in radians).
 struct PhysicalQuantity {

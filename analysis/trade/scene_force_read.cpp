@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <functional>
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/program/lexer.hpp"
 #include "analysis/program/suggest.hpp"
 #include "analysis/program/token_reader.hpp"
@@ -48,7 +49,7 @@ struct Reading {
   Rational per_mass(const std::string& key, const PhysicalDimension& d) const {
     const toml::node& node = need(key);
     const PhysicalQuantity q = c.text.quantity(node, key);
-    const PhysicalDimension with_mass = d * PhysicalDimension{0, 0, 1};
+    const PhysicalDimension with_mass = d * kPhysicalMass;
     if (q.dimension != with_mass) return c.text.number(node, key, d, c.scene.units);
     if (force.bodies.size() != 1)
       throw c.text.error(node, key + " with a mass in its unit is one body's: give the force one body");
@@ -97,10 +98,8 @@ Expr Reading::expression(const toml::node& node, const std::string& key) const {
       if (e->op == Expression::Op::force)
         throw source.error(e->place, "a force of a scene is written out, it does not call a(x, v, t)");
       if (e->op == Expression::Op::name && std::ranges::find(known, e->name) == known.end()) {
-        std::string names;
-        for (const std::string& k : known) names += (names.empty() ? "" : ", ") + k;
         throw source.error(e->place, "unknown name '" + e->name + "'" + did_you_mean(e->name, known) +
-                                         " (there are " + names + ", and those of [parameters])");
+                                         " (there are " + comma_list(known) + ", and those of [parameters])");
       }
       for (const Expr& part : e->operands) check(part);
     };
@@ -266,13 +265,9 @@ SceneForce read_force(const SceneContext& context, const toml::table& table) {
   const auto entry = std::ranges::find_if(kinds(), [&](const KindEntry& k) { return kind == k.name; });
   if (entry == kinds().end()) {
     std::vector<std::string> names;
-    std::string known;
-    for (const KindEntry& k : kinds()) {
-      names.emplace_back(k.name);
-      known += (known.empty() ? "" : ", ") + names.back();
-    }
-    throw text.error(
-        kind_node, "unknown force '" + kind + "'" + did_you_mean(kind, names) + " (there are " + known + ")");
+    for (const KindEntry& k : kinds()) names.emplace_back(k.name);
+    throw text.error(kind_node, "unknown force '" + kind + "'" + did_you_mean(kind, names) + " (there are " +
+                                    comma_list(names) + ")");
   }
   std::vector<std::string> keys{"kind", "name", "held", "by_engine"};
   if (entry->kind != ForceKind::link && entry->kind != ForceKind::n_body) keys.emplace_back("bodies");

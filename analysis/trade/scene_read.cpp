@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <set>
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/floating/float_format.hpp"
 #include "analysis/program/catalogue.hpp"
 #include "analysis/program/file_text.hpp"
@@ -219,13 +220,9 @@ class SceneReader {
         std::ranges::find_if(observables(), [&](const ObservableEntry& e) { return kind == e.name; });
     if (entry == observables().end()) {
       std::vector<std::string> names;
-      std::string known;
-      for (const ObservableEntry& e : observables()) {
-        names.emplace_back(e.name);
-        known += (known.empty() ? "" : ", ") + names.back();
-      }
+      for (const ObservableEntry& e : observables()) names.emplace_back(e.name);
       throw text_.error(kind_node, "unknown observable '" + kind + "'" + did_you_mean(kind, names) +
-                                       " (there are " + known + ")");
+                                       " (there are " + comma_list(names) + ")");
     }
     std::vector<std::string> keys{"kind", "name", "tolerance"};
     if (entry->kind != ObservableKind::energy_drift) keys.emplace_back("body");  // it is that of all together

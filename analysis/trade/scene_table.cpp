@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "analysis/algebra/comma_list.hpp"
 #include "analysis/program/suggest.hpp"
 
 namespace shortfall {
@@ -43,10 +44,9 @@ void SceneText::check_keys(const toml::table& table, const std::string& where,
   for (const auto& [key, node] : table) {
     const std::string word(key.str());
     if (std::ranges::find(keys, word) != keys.end()) continue;
-    std::string known;
-    for (const std::string& k : keys) known += (known.empty() ? "" : ", ") + k;
     throw error(key.source().begin, "unknown key '" + word + "' in " + where + did_you_mean(word, keys) +
-                                        " (there " + (keys.size() == 1 ? "is " : "are ") + known + ")");
+                                        " (there " + (keys.size() == 1 ? "is " : "are ") + comma_list(keys) +
+                                        ")");
   }
 }
 
@@ -136,7 +136,7 @@ Rational SceneText::number(const toml::node& node, const std::string& key, const
   if (!q.dimension) return q.value;
   if (*q.dimension == dimension) return units.from_si(q.value, dimension);
   // A step of 60 Hz is one of 1/60 s.
-  if (dimension == PhysicalDimension{0, 1, 0} && *q.dimension == PhysicalDimension{0, -1, 0}) {
+  if (dimension == kPhysicalTime && *q.dimension == kPhysicalRate) {
     if (q.value.is_zero()) throw error(node, key + ": 0 Hz is no step");
     return units.from_si(Rational(1) / q.value, dimension);
   }

@@ -12,11 +12,24 @@ TEST_CASE("export writes a folder with all that was asked for, the same bytes ea
   REQUIRE(folder.run(all + "'a b \u00fc'").code == 0);
   for (const char* file :
        {"symplectic-euler.ipynb", "symplectic-euler.html", "symplectic-euler.tex", "code/symplectic-euler.cs",
-        "code/symplectic-euler.cpp", "code/symplectic-euler.gd", "code/symplectic-euler.py",
+        "code/symplectic-euler.hpp", "code/symplectic-euler.gd", "code/symplectic-euler.py",
         "code/symplectic-euler.rs", "code/symplectic-euler.js"}) {
     CAPTURE(file);
     CHECK(!folder.text(std::string("one/") + file).empty());
     CHECK(folder.text(std::string("one/") + file) == folder.text(std::string("a b \u00fc/") + file));
+  }
+}
+
+TEST_CASE("exported C++ is a header, whatever is corrected") {
+  const Folder folder;
+  for (const std::string force : {"constant", "poly:2", "spring", "damped-spring"}) {
+    CAPTURE(force);
+    REQUIRE(folder.run("export symplectic-euler --force " + force + " --code cpp -o " + force).code == 0);
+    const std::string text = folder.text(force + "/code/symplectic-euler.hpp");
+    const std::size_t guard = text.find("#pragma once");
+    REQUIRE(guard != std::string::npos);
+    CHECK(guard < text.find('{'));
+    CHECK(text.find("#pragma once", guard + 1) == std::string::npos);
   }
 }
 

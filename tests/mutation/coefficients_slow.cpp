@@ -147,7 +147,7 @@ struct Original {
   std::vector<Fraction> trees;
 };
 
-void try_mutation(const CatalogueFile& file, const Mutation& mutation, const Original& original,
+void try_mutation(const EmbeddedFile& file, const Mutation& mutation, const Original& original,
                   const testing::GoldenShortfall& golden, const testing::GoldenSpring& spring, Count& count) {
   ++count.tried;
   std::string text(file.text);
@@ -201,7 +201,7 @@ TEST_CASE(
   const auto golden = testing::golden_shortfalls();
   const auto spring = testing::golden_spring_steps();
   Count count;
-  for (const CatalogueFile& file : catalogue_files()) {
+  for (const EmbeddedFile& file : catalogue_files()) {
     if (file.path.starts_with("engines/")) continue;  // held by recordings, and changed there
     const std::string text(file.text);
     const Program program = parse(text, std::string(file.path));

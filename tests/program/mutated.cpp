@@ -41,8 +41,8 @@ std::string mutated(std::string text) {
 
 TEST_CASE("a catalogue file with random damage is read or refused with a place, and nothing else happens") {
   CHECK(rc::check([] {
-    const CatalogueFile file =
-        *rc::gen::elementOf(std::vector<CatalogueFile>(catalogue_files().begin(), catalogue_files().end()));
+    const EmbeddedFile file =
+        *rc::gen::elementOf(std::vector<EmbeddedFile>(catalogue_files().begin(), catalogue_files().end()));
     const std::string text = mutated(std::string(file.text));
     try {
       const Program program = parse(text, "mutated.integrator");

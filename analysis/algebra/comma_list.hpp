@@ -6,7 +6,7 @@
 
 namespace shortfall {
 
-/// "x, v, t"
+/// "x, v, t": words in a sentence, or arguments in printed code.
 inline std::string comma_list(const std::vector<std::string>& words) {
   std::string text;
   for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
