@@ -23,11 +23,8 @@ set(CMAKE_CXX_SCAN_FOR_MODULES OFF)  # there are none, and newer CMake reads eac
 set(CMAKE_CXX_FLAGS_RELEASE "-O2")
 set(CMAKE_CXX_FLAGS_RELWITHDEBINFO "-Og -g1 -fno-omit-frame-pointer")
 
-# Tests are compiled more often than run, and under the sanitizers a third of their time is the optimiser's.
-set(SHORTFALL_TEST_OPTIMIZATION -O1)
-if(SHORTFALL_SANITIZE)
-  set(SHORTFALL_TEST_OPTIMIZATION -O0)
-endif()
+# Tests are compiled more often than run: a third of the time at -O1 is the optimiser's.
+set(SHORTFALL_TEST_OPTIMIZATION -O0)
 
 # One operation, one rounding: a fused multiply-add would change the trajectories that we make statements about.
 add_compile_options(-Wall -Wextra -Wpedantic -ffp-contract=off)

@@ -62,7 +62,7 @@ bool says(const Mend& mend, const JsonValue& wanted) {
 
 }  // namespace
 
-TEST_CASE("the first mend of every planted misprint is the right one") {
+TEST_CASE("the first mend of every planted misprint is the right one" * doctest::test_suite("thorough")) {
   const Source list("misprints.json", file_text(kFolder + "misprints.json"));
   int found = 0, all = 0;
   for (const JsonValue& misprint : json_value(list).items) {

@@ -103,7 +103,8 @@ TEST_CASE("identify refuses what is no log, each in one sentence with its place"
   CHECK(folder.run("identify good.csv --dt soon").code == 2);
 }
 
-TEST_CASE("identify --with: an integrator of the user is a candidate as well") {
+TEST_CASE("identify --with: an integrator of the user is a candidate as well" *
+          doctest::test_suite("thorough")) {
   const Folder folder;
   // A step that nobody else has: the position moves with a mean of three quarters of the new velocity.
   std::string log = "time,y,vy\n";

@@ -61,7 +61,8 @@ TEST_CASE("a kit that does not reach a step length says so") {
   CHECK(contains(o.text(), "the least that the step can give is 0.270395"));
 }
 
-TEST_CASE("a force of time is corrected by its derivatives, spelled out in JSON") {
+TEST_CASE("a force of time is corrected by its derivatives, spelled out in JSON" *
+          doctest::test_suite("thorough")) {
   const auto json =
       nlohmann::json::parse(run("correct symplectic-euler --force poly:1+spring --json").text());
   bool force = false;

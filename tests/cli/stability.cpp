@@ -90,7 +90,8 @@ TEST_CASE("JSON: the fields that other programs rely on") {
 }
 
 TEST_CASE(
-    "JSON of every integrator parses, and every irrational has a formula or a polynomial, and 50 digits") {
+    "JSON of every integrator parses, and every irrational has a formula or a polynomial, and 50 digits" *
+    doctest::test_suite("thorough")) {
   Asked f("stability");
   for (const Program& p : catalogue()) {
     CAPTURE(p.name);

@@ -178,7 +178,8 @@ TEST_CASE("for any polynomial force, kick-drift needs the force and launch serie
   CHECK(option.corrections.size() == 3);
 }
 
-TEST_CASE("every option that exists repairs the stepped integrator itself") {
+TEST_CASE("every option that exists repairs the stepped integrator itself" *
+          doctest::test_suite("thorough")) {
   int tried = 0;
   for (const Program& p : testing::short_catalogue())
     for (const auto& [highest, substeps] : {std::pair{0, 1}, {1, 1}, {2, 3}, {4, 1}}) {

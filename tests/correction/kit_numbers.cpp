@@ -23,7 +23,8 @@ Rational number_of(const KitNumbers& numbers, const std::string& target, const s
 
 }  // namespace
 
-TEST_CASE("numbers typed into the integrator make every frame exact to their digits") {
+TEST_CASE("numbers typed into the integrator make every frame exact to their digits" *
+          doctest::test_suite("thorough")) {
   const Precision precision(kDigits);
   int checked = 0;
   for (const Program& p : testing::short_catalogue())

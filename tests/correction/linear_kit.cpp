@@ -57,7 +57,8 @@ TEST_CASE("kits hold at random stiffness, damping, step and force") {
     }
 }
 
-TEST_CASE("critical and strong damping and a spring that repels: the same kit, the flow of that case") {
+TEST_CASE("critical and strong damping and a spring that repels: the same kit, the flow of that case" *
+          doctest::test_suite("thorough")) {
   const Precision precision(kDigits);
   const std::vector<Case> cases = {
       {"damped-spring", 4, 4, {}},
@@ -109,7 +110,8 @@ TEST_CASE("where the equations are quadratic, the square roots solve them") {
     }
 }
 
-TEST_CASE("roots of equations tend to the true values as the leading term says") {
+TEST_CASE("roots of equations tend to the true values as the leading term says" *
+          doctest::test_suite("thorough")) {
   const Precision precision(kDigits);
   int compared = 0;
   for (const Program& p : testing::short_catalogue())

@@ -27,7 +27,8 @@ void check_every(std::size_t stride, const Blur& blur) {
 
 TEST_CASE("a recording's engine is among the maps that are listed for it") { check_every(6, {}); }
 
-TEST_CASE("so it is when the numbers are rounded to a tenth of a millimetre, without velocities") {
+TEST_CASE("so it is when the numbers are rounded to a tenth of a millimetre, without velocities" *
+          doctest::test_suite("thorough")) {
   check_every(12, {4, false});
 }
 

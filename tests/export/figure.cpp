@@ -140,7 +140,8 @@ TEST_CASE("level lines: a circle and a ring have their areas, lines lie on their
   CHECK(level_region(disc, -1).outlines.empty());
 }
 
-TEST_CASE("every integrator has a figure whose curves stay on it and whose labels tell the limit") {
+TEST_CASE("every integrator has a figure whose curves stay on it and whose labels tell the limit" *
+          doctest::test_suite("thorough")) {
   for (const Program& p : testing::undamped_catalogue()) {
     CAPTURE(p.name);
     const Stability s = stability(p);

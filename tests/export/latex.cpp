@@ -20,7 +20,8 @@ TEST_CASE("text for LaTeX is set as it stands") {
         "f\\_0 \\& 50\\% of \\{a\\} \\textasciitilde{} \\textbackslash{}b \\textasciicircum{} \\$ \\#");
 }
 
-TEST_CASE("the derivations of the whole catalogue compile as LaTeX, in one document") {
+TEST_CASE("the derivations of the whole catalogue compile as LaTeX, in one document" *
+          doctest::test_suite("thorough")) {
   if (std::system("command -v pdflatex >/dev/null 2>&1") != 0) {
     MESSAGE("skipped: pdflatex is not installed");
     return;

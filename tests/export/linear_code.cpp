@@ -207,26 +207,27 @@ void run_all(Language language, const std::string& file, const std::string& run)
   }
 }
 
-TEST_CASE("kits of springs, dampers and drag in C++ compile without a warning and give the certain digits") {
+TEST_CASE("kits of springs, dampers and drag in C++ compile without a warning and give the certain digits" *
+          doctest::test_suite("thorough")) {
   if (installed("g++"))
     run_all(Language::cpp, "kit.cpp",
             "g++ -std=c++17 -Wall -Wextra -Wpedantic -Werror -o kit kit.cpp && ./kit");
 }
 
-TEST_CASE("kits of springs, dampers and drag in Python") {
+TEST_CASE("kits of springs, dampers and drag in Python" * doctest::test_suite("thorough")) {
   if (installed("python3")) run_all(Language::python, "kit.py", "python3 kit.py");
 }
 
-TEST_CASE("kits of springs, dampers and drag in JavaScript") {
+TEST_CASE("kits of springs, dampers and drag in JavaScript" * doctest::test_suite("thorough")) {
   if (installed("node")) run_all(Language::javascript, "kit.js", "node kit.js");
 }
 
-TEST_CASE("kits of springs, dampers and drag in Rust") {
+TEST_CASE("kits of springs, dampers and drag in Rust" * doctest::test_suite("thorough")) {
   if (installed("rustc"))
     run_all(Language::rust, "kit.rs", "rustc --edition 2021 -D warnings -o kit kit.rs && ./kit");
 }
 
-TEST_CASE("kits of springs, dampers and drag in C#") {
+TEST_CASE("kits of springs, dampers and drag in C#" * doctest::test_suite("thorough")) {
   if (installed("mcs") && installed("mono"))
     run_all(Language::csharp, "kit.cs", "mcs -out:kit.exe kit.cs && mono kit.exe");
 }

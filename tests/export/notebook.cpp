@@ -66,7 +66,7 @@ step
   print = a(x, v, t + h)
 )";
 
-TEST_CASE("every notebook's cells run and their assertions hold") {
+TEST_CASE("every notebook's cells run and their assertions hold" * doctest::test_suite("thorough")) {
   const std::string interpreter = python();
   if (interpreter.empty()) {
     MESSAGE("python3 is not installed: notebooks are written, but not run");
@@ -136,7 +136,7 @@ TEST_CASE("a notebook fails when one coefficient of its formulas is wrong") {
         std::string::npos);
 }
 
-TEST_CASE("a notebook is also one for Jupyter") {
+TEST_CASE("a notebook is also one for Jupyter" * doctest::test_suite("thorough")) {
   const std::string interpreter = python();
   if (interpreter.empty()) {
     MESSAGE("python3 is not installed: not run");
@@ -180,7 +180,7 @@ TEST_CASE("text of a user's file is shown as it stands, and is no markup") {
   CHECK(text.find("<b>") == std::string::npos);
 }
 
-TEST_CASE("a notebook of a degree that nobody reads is refused") {
+TEST_CASE("a notebook of a degree that nobody reads is refused" * doctest::test_suite("thorough")) {
   const Program& program = catalogue().front();
   const Derivation d = derivation(program, 31, {}, 1, false);
   CHECK_THROWS_WITH_AS(notebook(program, {}, d, {}),

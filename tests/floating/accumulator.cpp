@@ -72,7 +72,8 @@ void compare(const Rational& start, const Rational& increment, const BinaryForma
 
 }  // namespace
 
-TEST_CASE("every start and every increment of small formats, in every rounding, as one adds") {
+TEST_CASE("every start and every increment of small formats, in every rounding, as one adds" *
+          doctest::test_suite("thorough")) {
   for (const BinaryFormat& f : {BinaryFormat{2, -3, 2}, BinaryFormat{3, -3, 2}, BinaryFormat{4, -5, 2}}) {
     const std::vector<Rational> all = numbers(f);
     for (const Rational& start : all)

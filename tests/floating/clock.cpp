@@ -76,7 +76,8 @@ TEST_CASE("binary32 and binary64 clocks are those of the processor") {
   }
 }
 
-TEST_CASE("tiny formats, all starts and increments, every direction, through subnormals, zero and overflow") {
+TEST_CASE("tiny formats, all starts and increments, every direction, through subnormals, zero and overflow" *
+          doctest::test_suite("thorough")) {
   int compared = 0;
   for (const BinaryFormat& format :
        {BinaryFormat{3, -5, 3}, BinaryFormat{4, -4, 2}, BinaryFormat{2, -3, 4}}) {

@@ -30,7 +30,8 @@ const ClockAlternative& found(const ClockReport& r, Alternative kind) {
 
 }  // namespace
 
-TEST_CASE("representation and rounding are told apart and add up, for clocks and motions in any rounding") {
+TEST_CASE("representation and rounding are told apart and add up, for clocks and motions in any rounding" *
+          doctest::test_suite("thorough")) {
   std::mt19937_64 generator(11);
   const char* const formats[] = {"f16", "bf16", "f32", "f64", "x87", "f128", "mpfr:20"};
   const char* const roundings[] = {"nearest-even", "nearest-away", "toward-zero", "up", "down"};

@@ -123,7 +123,8 @@ TEST_CASE("the period of a spring, beside one that is read by hand") {
   CHECK(std::abs(b.lines[0].truth.to_double() - 2 * M_PI / std::sqrt(4 - 1.0 / 16)) < 1e-14);
 }
 
-TEST_CASE("budgets of landings and periods close for random integrators, forces and formats") {
+TEST_CASE("budgets of landings and periods close for random integrators, forces and formats" *
+          doctest::test_suite("thorough")) {
   std::mt19937 generator(29);
   const auto pick = [&](int low, int high) {
     return std::uniform_int_distribution<int>(low, high)(generator);

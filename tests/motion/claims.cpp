@@ -27,7 +27,8 @@ const std::string kRk4 = "tableau\n 0 |\n 1/2 | 1/2\n 1/2 | 0 1/2\n 1 | 0 0 1\n 
 
 TEST_CASE(
     "every integrator of the catalogue is described, names its source and makes claims, and every claim is "
-    "proved") {
+    "proved" *
+    doctest::test_suite("thorough")) {
   CHECK(catalogue().size() >= 27);
   for (const Program& program : catalogue()) {
     CAPTURE(program.name);

@@ -43,7 +43,7 @@ TEST_CASE("N substeps shorten the shortfall N times") {
   CHECK(shortfall_of("symplectic-euler", 0, 10000) == "-1/20000*a*h*t");
 }
 
-TEST_CASE("every catalogue entry is derived and proved, line by line") {
+TEST_CASE("every catalogue entry is derived and proved, line by line" * doctest::test_suite("thorough")) {
   for (const Program& p : catalogue())
     for (const int degree : {0, 1, 3}) {
       CAPTURE(p.name);

@@ -166,7 +166,8 @@ void validate_letters(const Program& program, int degree, Chance& chance, int tr
 }  // namespace
 
 TEST_CASE(
-    "closed forms of the catalogue agree with stepping, exactly in rationals and to rounding at 100 digits") {
+    "closed forms of the catalogue agree with stepping, exactly in rationals and to rounding at 100 digits" *
+    doctest::test_suite("thorough")) {
   const Precision digits(kRoundedDigits);
   Chance chance(20);
   Count count;

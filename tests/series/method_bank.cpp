@@ -52,7 +52,8 @@ TEST_CASE("the exact methods of the bank have the orders they claim, embedded re
   CHECK(embedded >= 20);
 }
 
-TEST_CASE("for every force the methods of the bank have the order they claim, not more") {
+TEST_CASE("for every force the methods of the bank have the order they claim, not more" *
+          doctest::test_suite("thorough")) {
   for (const TableauFile& file : bank()) {
     if (file.claims.order->value > 6) continue;
     CAPTURE(file.name);

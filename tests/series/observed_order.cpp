@@ -61,7 +61,8 @@ double observed(const Program& program, const Problem& problem, int steps) {
 
 }  // namespace
 
-TEST_CASE("the order by trees is the order observed, for four forces and the whole catalogue") {
+TEST_CASE("the order by trees is the order observed, for four forces and the whole catalogue" *
+          doctest::test_suite("thorough")) {
   const Precision precision(kDigits);
   for (const Program& program : catalogue()) {
     if (family(program) == "engines") continue;

@@ -89,7 +89,8 @@ TEST_CASE("windows of Forest and Ruth's method agree with the trace in binary64 
   }
 }
 
-TEST_CASE("an algebraic number that is rational after all changes nothing") {
+TEST_CASE("an algebraic number that is rational after all changes nothing" *
+          doctest::test_suite("thorough")) {
   // A letter for 1, and one for sqrt(2) that cancels in the end: w^2 stands for 2.
   for (const Program& p : testing::undamped_catalogue()) {
     CAPTURE(p.name);

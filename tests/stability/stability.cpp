@@ -48,7 +48,8 @@ TEST_CASE("limits of the literature") {
   CHECK_FALSE(limit("implicit-midpoint"));
 }
 
-TEST_CASE("just inside the limit 12000 steps stay bounded, outside they do not: the whole catalogue") {
+TEST_CASE("just inside the limit 12000 steps stay bounded, outside they do not: the whole catalogue" *
+          doctest::test_suite("thorough")) {
   int checked = 0;
   for (const Program& p : testing::undamped_catalogue()) {
     const auto limit = stability_limit(p);
