@@ -91,9 +91,10 @@ int guarded(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const SyntaxError& e) {
-    say(e.what());
+    const bool on_command_line = e.file().starts_with("--");
+    say((on_command_line ? "shortfall: " : "") + std::string(e.what()));
     if (!e.context().empty()) say(e.context());
-    return kBadFile;
+    return on_command_line ? kUsage : kBadFile;
   } catch (const BadInput& e) {
     say(std::string("shortfall: ") + e.what());
     return kUsage;

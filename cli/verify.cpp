@@ -80,13 +80,9 @@ int verify(const Question& q, const std::string& x, const std::string& v) {
   const int degree = program.solves && !force.linear() ? std::max(force.degree, 0) : force_degree(q.force);
   const Names names = formula_names(program, degree);
   std::vector<std::tuple<std::string, Expr, bool>> claims;
-  try {
-    if (!x.empty()) claims.emplace_back("x_n", parse_formula(x, "--x", names, {Sort::vector, kLength}), true);
-    if (!v.empty())
-      claims.emplace_back("v_n", parse_formula(v, "--v", names, {Sort::vector, kVelocity}), false);
-  } catch (const SyntaxError& e) {  // on the command line, not in a file
-    throw BadInput(std::string(e.what()) + "\n" + e.context());
-  }
+  if (!x.empty()) claims.emplace_back("x_n", parse_formula(x, "--x", names, {Sort::vector, kLength}), true);
+  if (!v.empty())
+    claims.emplace_back("v_n", parse_formula(v, "--v", names, {Sort::vector, kVelocity}), false);
   const Derivation d = derivation(program, degree, values, q.substeps(), false);
   Json json{{"schema", "shortfall.verify/1"},
             {"integrator", d.integrator},

@@ -23,17 +23,23 @@ struct Range {
   }
 };
 
-/// Whole powers of ten around.
-void fit(Figure::Axis& axis, const Range& range, double more_right = 1) {
+/// Whole powers of ten around; the range takes at most such a share of the axis.
+void fit(Figure::Axis& axis, const Range& range, double share = 1) {
   axis.logarithmic = true;
-  axis.low = std::pow(10.0, std::floor(std::log10(range.low) - 0.05));
-  axis.high = std::pow(10.0, std::ceil(std::log10(range.high * more_right) + 0.05));
+  const double low = std::floor(std::log10(range.low) - 0.05);
+  axis.low = std::pow(10.0, low);
+  axis.high = std::pow(10.0, std::ceil(low + (std::log10(range.high) + 0.05 - low) / share));
 }
 
-/// Names at the ends of their lines, moved apart, up and down alike, where they would lie on each other.
+constexpr double kShareOfCurves = 0.64;  ///< the rest of the width is for the names
+constexpr double kMostNames = 24;        ///< as many lines of text are as high as a panel
+
+/// Names of the lines in a column on the right, beside what they name as far as there is room, each joined to
+/// the end of its line, which is where the label stands that comes in.
 void place_labels(Figure::Panel& panel, std::vector<Figure::Label> labels) {
   std::ranges::sort(labels, [](const auto& a, const auto& b) { return a.at.y < b.at.y; });
-  const double span = std::log10(panel.y.high / panel.y.low), least = span / 24;
+  const double span = std::log10(panel.y.high / panel.y.low);
+  const double least = span / std::max(kMostNames, static_cast<double>(labels.size()) + 1);
   std::vector<double> y;
   for (const Figure::Label& l : labels) y.push_back(std::log10(l.at.y));
   for (int round = 0; round < 200; ++round)
@@ -49,8 +55,13 @@ void place_labels(Figure::Panel& panel, std::vector<Figure::Label> labels) {
     value = std::max(value, least_y);
     least_y = value + least;
   }
+  const double column = panel.x.low * std::pow(panel.x.high / panel.x.low, kShareOfCurves + 0.04);
+  const double gap = std::pow(panel.x.high / panel.x.low, 0.01);
   for (std::size_t i = 0; i < y.size(); ++i) {
-    labels[i].at.y = std::pow(10.0, y[i]);
+    const Figure::Point end = labels[i].at;
+    labels[i].at = {column, std::pow(10.0, y[i])};
+    panel.curves.push_back(
+        {{{{end.x * gap, end.y}, {column / gap, labels[i].at.y}}}, labels[i].ink, 0.5, false});
     panel.labels.push_back(std::move(labels[i]));
   }
 }
@@ -81,7 +92,7 @@ Figure::Panel panel(const Trade& trade, std::size_t observable) {
   // What is a million times better than asked for is shown; zeros and accidents below that are not.
   y.low = std::max(y.low, tolerance * 1e-9);
   y.high = std::min(y.high, tolerance * 1e9);
-  fit(p.x, x, 30);
+  fit(p.x, x, kShareOfCurves);
   fit(p.y, y);
   p.regions.push_back(
       {{{{p.x.low, p.y.low}, {p.x.high, p.y.low}, {p.x.high, tolerance}, {p.x.low, tolerance}}},
@@ -124,7 +135,7 @@ Figure::Panel panel(const Trade& trade, std::size_t observable) {
                  other.at_once == s.at_once && other.format == "f64";
         });
     const std::string name = s.at_once > 0 ? family + ", many" : family;
-    if (!has_whole_line) labels.push_back({{end.x * 1.15, end.y}, name, curve.ink, Figure::Align::left, 0});
+    if (!has_whole_line) labels.push_back({end, name, curve.ink, Figure::Align::left, 0});
     p.curves.push_back(std::move(curve));
   }
   for (const TradePlace& place : pareto_front(trade, observable)) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace shortfall {
@@ -14,7 +15,13 @@ std::optional<Function> function_named(std::string_view name);
 std::string_view name_of(Function f);
 /// How many values it takes.
 int arity(Function f);
-/// Whether a program may call it, or only a formula.
-bool stands_in_programs(Function f);
+/// Which functions besides the force may be called: those of steps, of the forces of scenes (whose series are
+/// known), or all, in formulas.
+enum class Functions { none, of_programs, of_scenes, all };
+
+bool is_one_of(Functions functions, Function f);
+
+/// "sqrt, exp, pow, max, min", for messages.
+std::string function_list(Functions functions);
 
 }  // namespace shortfall

@@ -325,7 +325,7 @@ Expr parse_formula(std::string_view text, const std::string& origin, const Names
   const Source source(origin, text);
   if (source.line_count() > 1) throw source.error({2, 1}, "a formula stands on one line");
   int line = 1;
-  TokenReader in(source, tokens(source, line, 0));
+  TokenReader in(source, tokens(source, line, 0), names.functions, names.force);
   Expr e = in.expression();
   in.expect_end("the formula");
   const Type type = type_of(e, names, source);

@@ -190,13 +190,14 @@ void TokenReader::refuse_unclosed(const Token& open) const {
 void TokenReader::refuse_call(const Token& function, const Token& open, std::size_t values) const {
   static const std::set<std::string, std::less<>> kElsewhere{"abs", "asin", "atan2", "cbrt",
                                                              "ln",  "sgn",  "tan",   "tanh"};
-  if (kElsewhere.contains(function.text))
-    throw error(function.place, "there is no function '" + function.text +
-                                    "'; there are sqrt, exp, pow, max, min, and the force a(x, v, t)");
+  const std::string refused = "there is no function '" + function.text + "'; ";
+  if (kElsewhere.contains(function.text) || (values != 1 && !force_))
+    throw error(function.place, refused + "there are " + function_list(functions_) +
+                                    (force_ ? ", and the force a(x, v, t)" : ""));
   if (values == 1)
     throw error(open.place,
                 "an operator is missing before '('; a product is written with *: " + function.text + "*(");
-  throw error(function.place, "there is no function '" + function.text + "'; the force is called a(x, v, t)");
+  throw error(function.place, refused + "the force is called a(x, v, t)");
 }
 
 Expr TokenReader::call(const Token& function) {

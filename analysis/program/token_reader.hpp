@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "analysis/program/dimension.hpp"
+#include "analysis/program/function.hpp"
 #include "analysis/program/lexer.hpp"
 
 namespace shortfall {
@@ -12,8 +13,10 @@ namespace shortfall {
 /// Reads expressions off the tokens of one statement, by precedence climbing.
 class TokenReader {
  public:
-  TokenReader(const Source& source, std::vector<Token> tokens)
-      : source_(source), tokens_(std::move(tokens)) {}
+  /// param   functions, force  what may be called where the expression stands, for messages
+  TokenReader(const Source& source, std::vector<Token> tokens, Functions functions = Functions::of_programs,
+              bool force = true)
+      : source_(source), tokens_(std::move(tokens)), functions_(functions), force_(force) {}
 
   const Token& peek() const { return tokens_[next_]; }
   bool at_end() const { return peek().kind == Token::Kind::end; }
@@ -58,6 +61,8 @@ class TokenReader {
 
   const Source& source_;
   std::vector<Token> tokens_;
+  Functions functions_;
+  bool force_;
   std::size_t next_ = 0;
   int depth_ = 0;
   int nodes_ = 0;

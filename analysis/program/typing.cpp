@@ -183,13 +183,11 @@ class Typing {
 
   Judgement of_call(const Expr& e) const {
     const Function f = *function_named(e->name);
-    const bool allowed = names_.functions == Functions::all ||
-                         (names_.functions == Functions::of_programs && stands_in_programs(f));
-    if (!allowed)
-      throw source_.error(
-          e->place, names_.functions == Functions::none
-                        ? "the function '" + e->name + "' cannot be called here"
-                        : "there is no function '" + e->name + "' here; there are sqrt, exp, pow, max, min");
+    if (!is_one_of(names_.functions, f))
+      throw source_.error(e->place, names_.functions == Functions::none
+                                        ? "the function '" + e->name + "' cannot be called here"
+                                        : "there is no function '" + e->name + "' here; there are " +
+                                              function_list(Functions::of_programs));
     std::vector<Judgement> given;
     int growth = 1;
     for (const Expr& operand : e->operands) {

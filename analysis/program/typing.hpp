@@ -8,6 +8,7 @@
 
 #include "analysis/program/dimension.hpp"
 #include "analysis/program/expression.hpp"
+#include "analysis/program/function.hpp"
 #include "analysis/program/source.hpp"
 
 namespace shortfall {
@@ -18,9 +19,6 @@ struct Judgement {
   std::optional<Rational> value;  ///< when it is made of numbers (and of names with a value) only
   int growth = 1;                 ///< a bound on the powers that it multiplies up to
 };
-
-/// Which functions besides the force may be called.
-enum class Functions { none, of_programs, all };
 
 /// What is known of the names at a point of a program.
 struct Names {

@@ -55,8 +55,6 @@ double SampledFunction::size(std::complex<double> z) const {
   return std::abs(value(numerator_, z) / value(denominator_, z));
 }
 
-double sampled_size(const StabilityFunction& r, std::complex<double> z) { return SampledFunction(r).size(z); }
-
 std::vector<std::complex<double>> sampled_roots(const std::vector<double>& p) {
   using Complex = std::complex<double>;
   const std::size_t degree = p.size() - 1;

@@ -35,9 +35,6 @@ class SampledFunction {
   std::vector<double> denominator_;
 };
 
-/// |R(z)|, once.
-double sampled_size(const StabilityFunction& r, std::complex<double> z);
-
 /// All roots of a polynomial, lowest coefficient first.
 ///
 /// source  Durand (1960); Kerner (1966), Ein Gesamtschrittverfahren zur Berechnung der Nullstellen von

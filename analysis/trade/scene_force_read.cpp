@@ -82,7 +82,7 @@ Expr Reading::expression(const toml::node& node, const std::string& key) const {
   try {
     const Source source(key, text);
     int line = 1;
-    TokenReader reader(source, tokens(source, line, 0));
+    TokenReader reader(source, tokens(source, line, 0), Functions::of_scenes, false);
     Expr result = reader.expression();
     reader.expect_end("an expression");
     std::vector<std::string> known{"t"};
@@ -97,6 +97,9 @@ Expr Reading::expression(const toml::node& node, const std::string& key) const {
     const std::function<void(const Expr&)> check = [&](const Expr& e) {
       if (e->op == Expression::Op::force)
         throw source.error(e->place, "a force of a scene is written out, it does not call a(x, v, t)");
+      if (e->op == Expression::Op::call && !is_one_of(Functions::of_scenes, *function_named(e->name)))
+        throw source.error(e->place, "the force of a scene cannot call " + e->name + "; it can call " +
+                                         function_list(Functions::of_scenes));
       if (e->op == Expression::Op::name && std::ranges::find(known, e->name) == known.end()) {
         throw source.error(e->place, "unknown name '" + e->name + "'" + did_you_mean(e->name, known) +
                                          " (there are " + comma_list(known) + ", and those of [parameters])");

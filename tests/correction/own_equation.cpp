@@ -40,6 +40,9 @@ const std::map<std::string, std::string> kMaps = {
     {"power-drift-first",
      "param c = 0\nassume 1 - c > 0\nsolves a(x, v, t) + log(1 - c)*v\nstep\n"
      "f = a(x, v, t)\nx = x + h*v\nv = pow(1 - c, h)*v + h*f"},
+    {"power-twice",
+     "param c = 0\nassume 1 - c > 0\nsolves a(x, v, t) + log(1 - c)*v\nstep\n"
+     "v = v*pow(1 - c, h)*pow(1 - c, h) + h*a(x, v, t)\nx = x + h*v"},
     {"exponential",
      "param r : 1/T = 0\nsolves a(x, v, t) - r*v\nstep\nv = v*exp(-r*h) + h*a(x, v, t)\nx = x + h*v"},
     {"by-mass",
@@ -75,14 +78,14 @@ std::pair<Real, Real> truth(const Reals& v, const Real& k, const Real& c, const 
 /// A number of 95 digits, exactly.
 Rational exactly(const Real& x) { return Rational::parse(x.str(95, std::ios_base::scientific)); }
 
-/// Steps the integrator with its parameters and the force f0 + f1 t - k x.
+/// Steps the integrator with its parameters and the force f0 + f1 t - k x - c v.
 std::vector<std::pair<Real, Real>> frames(const Program& program, const Values& parameters, const Real& f0,
-                                          const Real& f1, const Real& k, const Real& x0, const Real& v0,
-                                          const Rational& h, int steps, int substeps) {
+                                          const Real& f1, const Real& k, const Real& c, const Real& x0,
+                                          const Real& v0, const Rational& h, int steps, int substeps) {
   Numbers<Real> problem;
-  problem.force = [&](const Real& x, const Real&, const Real& time) -> Real {
-    const Real slope = f1 * time, pull = k * x;
-    return Real(Real(f0 + slope) - pull);
+  problem.force = [&](const Real& x, const Real& v, const Real& time) -> Real {
+    const Real slope = f1 * time, pull = k * x, drag = c * v;
+    return Real(Real(Real(f0 + slope) - pull) - drag);
   };
   problem.round = [](const Rational& r) { return decimal(r); };
   const Tape tape = lower(substepped(program, substeps), parameters);
@@ -138,7 +141,7 @@ void check(const Trial& t) {
     return sum;
   };
   Values parameters = t.parameters;
-  Real stiffness = asked.spring ? k : decimal(0);
+  Real stiffness = asked.spring ? k : decimal(0), damping = decimal(0);
   Real f0 = values["f0"], f1 = values["f1"], x0 = values["x0"], v0 = values["v0"];
   const NumericCorrection* read_out = nullptr;
   for (std::size_t i = 0; i < kit.corrections.size(); ++i) {
@@ -157,13 +160,15 @@ void check(const Trial& t) {
       x0 = evaluated(n, values);
     } else if (n.target == "k") {
       stiffness = evaluated(n, values);
+    } else if (n.target == "c" && power && asked.spring) {  // of the force; the integrator keeps its own
+      damping = evaluated(n, values);
     } else {
       CHECK(program.parameter(n.target));
       parameters[n.target] = exactly(evaluated(n, values));
     }
   }
   const int steps = 60;
-  const auto stepped = frames(program, parameters, f0, f1, stiffness, x0, v0, h, steps, t.substeps);
+  const auto stepped = frames(program, parameters, f0, f1, stiffness, damping, x0, v0, h, steps, t.substeps);
   REQUIRE(read_out);
   for (const int n : {0, 1, 2, 3, 17, steps}) {
     CAPTURE(n);
@@ -181,7 +186,7 @@ void check(const Trial& t) {
   }
   // Without the kit it is not so.
   const auto plain = frames(program, t.parameters, values["f0"], values["f1"], asked.spring ? k : decimal(0),
-                            values["x0"], values["v0"], h, steps, t.substeps);
+                            decimal(0), values["x0"], values["v0"], h, steps, t.substeps);
   CHECK(Real(abs(Real(plain[steps].first - truth(values, k, c, decimal(h * steps)).first))) >
         decimal(Rational::parse("1e-9")));
 }
@@ -234,6 +239,22 @@ TEST_CASE("a step that takes its decay exactly says so and has nothing to tune")
   for (const LinearCorrection& c : kit.corrections) CHECK(c.target != "c");
   CHECK(linear_kit(map("exponential"), force_named("drag")).notes.size() == 1);
   CHECK(linear_kit(map("damp-last"), force_named("drag")).notes.empty());
+}
+
+TEST_CASE(
+    "a step whose own decay a stiffness cannot mend says why, and takes a damping of the force besides") {
+  const Precision precision(kDigits);
+  const auto note = [](const char* name) {
+    const LinearKit kit = linear_kit(map(name), force_named("spring"));
+    REQUIRE(kit.notes.size() == 1);
+    return kit.notes[0];
+  };
+  // It damps twice: its determinant is D^2 whatever the stiffness.
+  CHECK(note("power-twice") ==
+        "a stiffness alone is not enough: no choice of k_new changes the difference D^2 - D");
+  CHECK(note("power-drift-first").find("it changes the determinant of the step") != std::string::npos);
+  for (const char* name : {"power-twice", "power-drift-first"})
+    check({name, "constant+spring:k=5/2", {{"c", Rational(3, 7)}}, 0, Rational(5, 2)});
 }
 
 TEST_CASE("the true motion is the integrator's own equation together with the force") {

@@ -92,18 +92,19 @@ TEST_CASE("A- and L-stability, and what is not") {
                         {"bogacki-shampine", false, false}}) {
     CAPTURE(c.name);
     const StabilityFunction r = function_of(c.name);
+    const SampledFunction sampled(r);
     const StabilityProperties p = stability_properties(r);
     CHECK(p.a_stable == c.a);
     CHECK(p.l_stable == c.l);
     // The witness is one: |R(iy)| > 1 there, in binary64.
     if (!p.imaginary_axis) {
       REQUIRE(p.violated_at);
-      CHECK(sampled_size(r, {0, p.violated_at->to_double()}) > 1);
+      CHECK(sampled.size({0, p.violated_at->to_double()}) > 1);
     }
     // In binary64 on the left half-plane.
     double largest = 0;
     for (double x = -40; x <= 0; x += 0.5)
-      for (double y = 0; y <= 40; y += 0.5) largest = std::max(largest, sampled_size(r, {x, y}));
+      for (double y = 0; y <= 40; y += 0.5) largest = std::max(largest, sampled.size({x, y}));
     CHECK((largest <= 1 + 1e-12) == c.a);
   }
 }

@@ -14,6 +14,7 @@ using namespace shortfall;
 
 namespace {
 
+const std::string kForce = "kind = \"constant\"\nacceleration = 1";
 const std::string kGood =
     "until = 1\ndt = 0.1\n[[body]]\nposition = 1\n[[force]]\nkind = \"constant\"\nacceleration = "
     "1\n[[observable]]\n"
@@ -73,8 +74,7 @@ TEST_CASE("numbers are exact as they are written") {
 }
 
 TEST_CASE("a force with a mass in its unit is divided by the body's") {
-  const Scene scene = scene_of(with(with(kGood, "position = 1", "position = 1\nmass = \"4 kg\""),
-                                    "kind = \"constant\"\nacceleration = 1",
+  const Scene scene = scene_of(with(with(kGood, "position = 1", "position = 1\nmass = \"4 kg\""), kForce,
                                     "kind = \"spring\"\nstiffness = \"20 N/m\"\ndamping = \"2 kg/s\""),
                                "s.toml");
   CHECK(scene.forces[0].numbers[0] == Rational(5));
@@ -90,6 +90,11 @@ TEST_CASE("bad scenes are refused with line, column and a sentence") {
        "4:1 s.toml:4:1: unknown key 'positoin' in a body; did you mean 'position'?"},
       {with(kGood, "kind = \"constant\"", "kind = \"constat\""), "did you mean 'constant'?"},
       {with(kGood, "kind = \"position\"", "kind = \"positions\""), "unknown observable 'positions'"},
+      {with(kGood, kForce, "kind = \"expression\"\nacceleration = \"x*acos(x)\""),
+       "acceleration: the force of a scene cannot call acos; it can call sqrt, exp, pow, max, min, cos"},
+      {with(kGood, kForce, "kind = \"expression\"\nacceleration = \"abs(x)\""),
+       "acceleration: there is no function 'abs'; there are sqrt, exp, pow, max, min, cos, sin, cosh, sinh, "
+       "log"},
       {with(kGood, "position = 1", "position = \"1 s\""), "position has the dimension L"},
       {with(kGood, "position = 1", "position = \"1 parsec\""), "unknown unit 'parsec'"},
       {with(kGood, "position = 1", "position = [1, 2]"), "position has 1 component here, not 2"},
@@ -114,22 +119,14 @@ TEST_CASE("bad scenes are refused with line, column and a sentence") {
       {kGood + "[budget]\nmicroseconds = -1\n", "microseconds"},
       {kGood + "[budget]\nsubsteps = 0\n", "substeps is a whole number from 1 to"},
       {kGood + "naive = \"rk4\"\n", "unknown key 'naive' in an observable"},
-      {with(kGood, "kind = \"constant\"\nacceleration = 1", "kind = \"expression\"\nacceleration = \"-2x\""),
-       "7:"},
-      {with(kGood, "kind = \"constant\"\nacceleration = 1", "kind = \"expression\"\nacceleration = \"-y\""),
-       "unknown name 'y'"},
-      {with(kGood, "kind = \"constant\"\nacceleration = 1",
-            "kind = \"expression\"\nacceleration = \"tan(x)\""),
-       "tan"},
-      {with(kGood, "kind = \"constant\"\nacceleration = 1",
-            "kind = \"expression\"\nacceleration = \"a(x, vx, t)\""),
+      {with(kGood, kForce, "kind = \"expression\"\nacceleration = \"-2x\""), "7:"},
+      {with(kGood, kForce, "kind = \"expression\"\nacceleration = \"-y\""), "unknown name 'y'"},
+      {with(kGood, kForce, "kind = \"expression\"\nacceleration = \"tan(x)\""), "tan"},
+      {with(kGood, kForce, "kind = \"expression\"\nacceleration = \"a(x, vx, t)\""),
        "does not call a(x, v, t)"},
-      {with(kGood, "kind = \"constant\"\nacceleration = 1", "kind = \"pendulum\"\ngravity = 1\nlength = 1"),
-       "coordinates = \"angles\""},
-      {with(kGood, "kind = \"constant\"\nacceleration = 1", "kind = \"lorentz\"\nmagnetic = [0, 0, 1]"),
-       "needs a plane or space"},
-      {with(kGood, "kind = \"constant\"\nacceleration = 1",
-            "kind = \"link\"\nbetween = [\"body 1\", \"body 1\"]\nstiffness = 1"),
+      {with(kGood, kForce, "kind = \"pendulum\"\ngravity = 1\nlength = 1"), "coordinates = \"angles\""},
+      {with(kGood, kForce, "kind = \"lorentz\"\nmagnetic = [0, 0, 1]"), "needs a plane or space"},
+      {with(kGood, kForce, "kind = \"link\"\nbetween = [\"body 1\", \"body 1\"]\nstiffness = 1"),
        "between two bodies"},
       {with(kGood, "[[body]]\nposition = 1\n", ""), "needs a [[body]]"},
       {with(kGood, "[[body]]", "[body]"), "write [[body]]"},
