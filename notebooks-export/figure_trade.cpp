@@ -31,7 +31,7 @@ void fit(Figure::Axis& axis, const Range& range, double share = 1) {
   axis.high = std::pow(10.0, std::ceil(low + (std::log10(range.high) + 0.05 - low) / share));
 }
 
-constexpr double kShareOfCurves = 0.64;  ///< the rest of the width is for the names
+constexpr double kShareOfCurves = 0.58;  ///< the rest of the width is for the names
 constexpr double kMostNames = 24;        ///< as many lines of text are as high as a panel
 
 /// Names of the lines in a column on the right, beside what they name as far as there is room, each joined to
@@ -55,7 +55,7 @@ void place_labels(Figure::Panel& panel, std::vector<Figure::Label> labels) {
     value = std::max(value, least_y);
     least_y = value + least;
   }
-  const double column = panel.x.low * std::pow(panel.x.high / panel.x.low, kShareOfCurves + 0.04);
+  const double column = panel.x.low * std::pow(panel.x.high / panel.x.low, kShareOfCurves + 0.03);
   const double gap = std::pow(panel.x.high / panel.x.low, 0.01);
   for (std::size_t i = 0; i < y.size(); ++i) {
     const Figure::Point end = labels[i].at;

@@ -3,8 +3,10 @@
 
 #include <sqlite3.h>
 
+#include <chrono>
 #include <cstdio>
 #include <mutex>
+#include <thread>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/program/catalogue.hpp"
@@ -26,6 +28,8 @@ std::string fingerprint(const std::string& text) {
   std::snprintf(digits, sizeof digits, "%016llx", static_cast<unsigned long long>(hash));
   return digits;
 }
+
+constexpr std::chrono::milliseconds kPatience{10'000};  ///< with another process at the store
 
 constexpr const char* kTable =
     "CREATE TABLE IF NOT EXISTS points (key TEXT PRIMARY KEY, integrator TEXT, format TEXT, launched "
@@ -51,8 +55,15 @@ struct PointStore::Database {
       fail("the store cannot be used");
     return statement;
   }
-  void run(const char* sql) const {
-    if (sqlite3_exec(handle, sql, nullptr, nullptr, nullptr) != SQLITE_OK) fail("the store cannot be used");
+  /// Where several processes make the same store, sqlite answers some of these statements with
+  /// "locked" at once, without the wait of sqlite3_busy_timeout: it could be for ever.
+  void run_when_free(const char* sql) const {
+    const auto deadline = std::chrono::steady_clock::now() + kPatience;
+    int answer = SQLITE_BUSY;
+    while ((answer = sqlite3_exec(handle, sql, nullptr, nullptr, nullptr)) == SQLITE_BUSY &&
+           std::chrono::steady_clock::now() < deadline)
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    if (answer != SQLITE_OK) fail("the store cannot be used");
   }
 };
 
@@ -87,9 +98,9 @@ PointStore::PointStore(const std::string& path) : database_(std::make_unique<Dat
                       SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_FULLMUTEX,
                       nullptr) != SQLITE_OK)
     database_->fail("the store cannot be opened");
-  sqlite3_busy_timeout(database_->handle, 10'000);
-  database_->run("PRAGMA journal_mode = WAL");
-  database_->run(kTable);
+  sqlite3_busy_timeout(database_->handle, static_cast<int>(kPatience.count()));
+  database_->run_when_free("PRAGMA journal_mode = WAL");
+  database_->run_when_free(kTable);
 }
 
 PointStore::~PointStore() = default;

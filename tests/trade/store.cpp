@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <doctest/doctest.h>
 
+#include <barrier>
 #include <cmath>
-
 #include <cstdio>
 #include <filesystem>
 #include <limits>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "analysis/algebra/error.hpp"
 #include "analysis/trade/outcome_text.hpp"
@@ -128,4 +132,29 @@ TEST_CASE("threads, one after the other, and from a store: the same points give 
       ++seen;
     }
   CHECK(seen == points);
+}
+
+TEST_CASE("a store can be made by many at once") {
+  const ScratchFolder scratch;
+  for (int round = 0; round < 40; ++round) {
+    CAPTURE(round);
+    const std::string path = scratch.path(std::to_string(round) + ".sqlite");
+    std::barrier together(4);
+    std::mutex said;
+    std::vector<std::string> errors;
+    std::vector<std::thread> openers;
+    for (int i = 0; i < 4; ++i)
+      openers.emplace_back([&, i] {
+        together.arrive_and_wait();
+        try {
+          PointStore(path).put(std::to_string(i), sample());
+        } catch (const Error& e) {
+          const std::lock_guard lock(said);
+          errors.emplace_back(e.what());
+        }
+      });
+    for (std::thread& opener : openers) opener.join();
+    for (const std::string& error : errors) FAIL_CHECK(error);
+    CHECK(PointStore(path).size() == 4);
+  }
 }
